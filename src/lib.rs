@@ -1,0 +1,17 @@
+//! Facette: a companion to a course on computer graphics, chapter by chapter.
+//!
+//! One module is one chapter of the course; the book, the example, the tests and the snapshots of a chapter bear its
+//! name. Modules are listed in reading order, and imports point down only.
+//!
+//! | floor | modules |
+//! | --- | --- |
+//! | ground | [`algebra`], [`curve`], [`surface`], [`mesh`] |
+//! | surfaces | [`coons`] |
+//!
+//! *In the book*: [the front page](../../index.html).
+
+pub mod algebra;
+pub mod coons;
+pub mod curve;
+pub mod mesh;
+pub mod surface;
