@@ -288,7 +288,7 @@ fn load(
         text.push_str(&for_tobj(statement));
     }
     let options = LoadOptions::default();
-    let no_materials = |_: &Path| Ok((Vec::new(), Default::default()));
+    let no_materials = |_: &Path| Ok((Vec::new(), std::collections::HashMap::default()));
     let (models, _) = tobj::load_obj_buf(&mut text.as_bytes(), &options, no_materials)?;
     Ok(models
         .into_iter()

@@ -1,0 +1,99 @@
+//! The arbitrary-precision oracle: every finite `f64` is a rational number, and no result is too large or too small.
+
+use num_bigint::BigInt;
+use num_rational::BigRational;
+use num_traits::{Signed, ToPrimitive, Zero};
+
+/// A rational number of any size.
+pub type Big = BigRational;
+
+/// The number that `value` is, exactly.
+///
+/// # Panics
+///
+/// For an infinite value or NaN.
+pub fn big(value: f64) -> Big {
+    Big::from_float(value).expect("a finite number")
+}
+
+/// The point that `point` is, exactly.
+pub fn big_point<const N: usize>(point: [f64; N]) -> [Big; N] {
+    point.map(big)
+}
+
+/// The point `Σ weights[i] · points[i]`.
+pub fn big_combination<const N: usize>(weights: &[Big], points: &[[Big; N]]) -> [Big; N] {
+    assert_eq!(weights.len(), points.len(), "one weight for each point");
+    std::array::from_fn(|axis| {
+        let terms = weights
+            .iter()
+            .zip(points)
+            .map(|(weight, point)| weight * &point[axis]);
+        terms.fold(Big::zero(), |sum, term| sum + term)
+    })
+}
+
+/// The Bernstein polynomials of degree `n` at `t`: `binomial(n, i) (1 − t)ⁿ⁻ⁱ tⁱ`.
+pub fn big_bernstein(n: usize, t: &Big) -> Vec<Big> {
+    let s = Big::from_integer(1.into()) - t;
+    let power = |base: &Big, exponent: usize| num_traits::pow(base.clone(), exponent);
+    let mut binomial = BigInt::from(1);
+    let mut values = Vec::new();
+    for i in 0..=n {
+        values.push(Big::from_integer(binomial.clone()) * power(&s, n - i) * power(t, i));
+        binomial = binomial * (n - i) / (i + 1);
+    }
+    values
+}
+
+/// The point of the Bézier curve with these control points, by Bernstein's sum.
+pub fn big_bezier<const N: usize>(control_points: &[[f64; N]], t: &Big) -> [Big; N] {
+    let points: Vec<_> = control_points
+        .iter()
+        .map(|&point| big_point(point))
+        .collect();
+    big_combination(&big_bernstein(points.len() - 1, t), &points)
+}
+
+/// How far the coordinates of `computed` are from `exact`, at most: in multiples of `unit`.
+///
+/// # Panics
+///
+/// Where a computed coordinate is not finite.
+pub fn largest_error<const N: usize>(computed: [f64; N], exact: &[Big; N], unit: f64) -> f64 {
+    let errors = computed.into_iter().zip(exact).map(|(computed, exact)| {
+        let error = (big(computed) - exact).abs() / big(unit);
+        error.to_f64().expect("a ratio of finite numbers")
+    });
+    errors.fold(0.0, f64::max)
+}
+
+/// The spacing of the floating-point numbers next to `value`, for a format with the given unit roundoff.
+pub fn ulp(value: f64, unit_roundoff: f64) -> f64 {
+    let mut binade = 1.0_f64;
+    let value = value.abs().max(f64::MIN_POSITIVE);
+    while binade * 2.0 <= value {
+        binade *= 2.0;
+    }
+    while binade > value {
+        binade /= 2.0;
+    }
+    binade * 2.0 * unit_roundoff
+}
+
+#[test]
+fn the_oracle_knows_what_floating_point_loses() {
+    let tenth = big(0.1);
+    assert_ne!(tenth, Big::new(1.into(), 10.into()));
+    assert_eq!(
+        largest_error(
+            [0.1 + 0.2],
+            &[big(0.1) + big(0.2)],
+            ulp(0.3, f64::EPSILON / 2.0)
+        ),
+        0.5
+    );
+    assert_eq!(big_bernstein(2, &big(0.5)), [0.25, 0.5, 0.25].map(big));
+    assert_eq!(ulp(1.0, f64::EPSILON / 2.0), f64::EPSILON);
+    assert_eq!(ulp(0.75, f64::EPSILON / 2.0), f64::EPSILON / 2.0);
+}

@@ -1,0 +1,13 @@
+//! The chapter *coons*: its theorems, the errors against the oracle, the hard cases and the snapshots of its figures.
+
+mod bicubic_theorems;
+#[path = "../common/mod.rs"]
+mod common;
+mod hard_cases;
+mod inputs;
+mod mistakes;
+mod oracles;
+mod snapshots;
+mod suspects;
+mod theorems;
+mod variants;
