@@ -3,8 +3,23 @@
 //! A [`Figure`] is a name, a caption, an alternative text and its content: an SVG document that follows the theme of the
 //! page, or a PNG picture with a transparent background. A chapter's example lists its figures as [`FigureMaker`]s.
 //!
+//! | module | what it makes |
+//! | --- | --- |
+//! | [`palette`] | colours that colour-blind readers tell apart |
+//! | [`svg`] | drawings, and pictures side by side under crisp labels |
+//! | [`plot`] | lines and points over named axes |
+//! | [`speed`] | the scatter plot of speed against error |
+//! | [`render`] | pictures of surfaces, curves and points |
+//! | [`difference`] | how far two pictures are apart, for snapshots |
 
 #![warn(missing_docs)]
+
+pub mod difference;
+pub mod palette;
+pub mod plot;
+pub mod render;
+pub mod speed;
+pub mod svg;
 
 use std::fs;
 use std::io;
@@ -88,7 +103,10 @@ impl Figure {
 /// Writes `bytes` to `path` by way of a temporary file in the same folder, which is made if missing.
 pub(crate) fn write_atomically(path: &Path, bytes: &[u8]) -> io::Result<()> {
     let explain = |error: io::Error| {
-        io::Error::new(error.kind(), format!("cannot write {}: {error}", path.display()))
+        io::Error::new(
+            error.kind(),
+            format!("cannot write {}: {error}", path.display()),
+        )
     };
     if let Some(folder) = path.parent() {
         fs::create_dir_all(folder).map_err(explain)?;
@@ -103,4 +121,50 @@ pub(crate) fn write_atomically(path: &Path, bytes: &[u8]) -> io::Result<()> {
         let _ = fs::remove_file(&temporary);
     }
     written.map_err(explain)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn figure(content: Content) -> Figure {
+        let (caption, alternative) = ("A caption.".to_string(), "A text.".to_string());
+        Figure {
+            name: "trial",
+            caption,
+            alternative,
+            content,
+        }
+    }
+
+    #[test]
+    fn a_figure_is_written_whole_over_an_older_one_and_nothing_else_is_left() {
+        let folder = std::env::temp_dir().join(format!("facette-write-{}", std::process::id()));
+        let inner = folder.join("not/there/yet");
+        for content in ["<svg>an older and longer one</svg>", "<svg/>"] {
+            let path = figure(Content::Svg(content.to_string()))
+                .write(&inner)
+                .expect("a folder for temporary files");
+            assert_eq!(path, inner.join("trial.svg"));
+            assert_eq!(fs::read(path).expect("just written"), content.as_bytes());
+        }
+        let png = figure(Content::Png(vec![1, 2, 3]))
+            .write(&inner)
+            .expect("the same folder");
+        assert_eq!(png, inner.join("trial.png"));
+        let count = fs::read_dir(&inner).expect("the same folder").count();
+        fs::remove_dir_all(&folder).expect("the folder of this test");
+        assert_eq!(count, 2);
+    }
+
+    #[test]
+    fn a_folder_that_cannot_be_made_is_named() {
+        let file = std::env::temp_dir().join(format!("facette-file-{}", std::process::id()));
+        fs::write(&file, "not a folder").expect("a folder for temporary files");
+        let error = figure(Content::Png(vec![]))
+            .write(&file)
+            .expect_err("a file is no folder");
+        fs::remove_file(&file).expect("the file of this test");
+        assert!(error.to_string().starts_with("cannot write "), "{error}");
+    }
 }

@@ -107,7 +107,11 @@ mod tests {
     #[test]
     fn series_have_different_colours() {
         for (index, first) in SERIES.iter().enumerate() {
-            assert!(SERIES[..index].iter().all(|second| second.rgb() != first.rgb()));
+            assert!(
+                SERIES[..index]
+                    .iter()
+                    .all(|second| second.rgb() != first.rgb())
+            );
         }
     }
 }

@@ -36,13 +36,23 @@ impl View {
     /// The central projection with a whole vertical angle in degrees.
     #[must_use]
     pub fn perspective(eye: DVec3, target: DVec3, up: DVec3, field_of_view: f64) -> Self {
-        Self { eye, target, up, lens: Lens::Perspective { field_of_view } }
+        Self {
+            eye,
+            target,
+            up,
+            lens: Lens::Perspective { field_of_view },
+        }
     }
 
     /// The parallel projection of this height in units of the scene.
     #[must_use]
     pub fn orthographic(eye: DVec3, target: DVec3, up: DVec3, height: f64) -> Self {
-        Self { eye, target, up, lens: Lens::Orthographic { height } }
+        Self {
+            eye,
+            target,
+            up,
+            lens: Lens::Orthographic { height },
+        }
     }
 
     /// Where a point appears in a picture of this size, in pixels from the upper left corner; `None` for a point beside
@@ -65,14 +75,18 @@ pub(super) struct Camera {
     /// Pixels for a unit of the scene: at distance 1 from the eye, or everywhere.
     scale: f64,
     centre: [f64; 2],
+    lights: [DVec3; 2],
 }
 
 impl Camera {
     /// Directions that fail to span a frame (eye at the target, up along the view) are replaced by arbitrary ones.
     pub(super) fn new(view: &View, width: u32, height: u32) -> Self {
         let back = (view.eye - view.target).try_normalize().unwrap_or(DVec3::Z);
-        let right =
-            view.up.cross(back).try_normalize().unwrap_or_else(|| back.any_orthonormal_vector());
+        let right = view
+            .up
+            .cross(back)
+            .try_normalize()
+            .unwrap_or_else(|| back.any_orthonormal_vector());
         let half_height = f64::from(height) / 2.0;
         let (is_perspective, scale) = match view.lens {
             Lens::Perspective { field_of_view } => {
@@ -82,18 +96,36 @@ impl Camera {
             Lens::Orthographic { height } => (false, 2.0 * half_height / height),
         };
         let centre = [f64::from(width) / 2.0, half_height];
-        Self { eye: view.eye, right, up: back.cross(right), back, is_perspective, scale, centre }
+        let up = back.cross(right);
+        let lights = [
+            -0.45 * right + 0.65 * up + 0.8 * back,
+            0.8 * right - 0.2 * up + 0.5 * back,
+        ];
+        Self {
+            eye: view.eye,
+            right,
+            up,
+            back,
+            is_perspective,
+            scale,
+            centre,
+            lights: lights.map(DVec3::normalize),
+        }
     }
 
-    /// The directions right, up and towards the viewer.
-    pub(super) fn frame(&self) -> [DVec3; 3] {
-        [self.right, self.up, self.back]
+    /// The directions towards the key light and the fill light.
+    pub(super) fn lights(&self) -> [DVec3; 2] {
+        self.lights
     }
 
     /// `(x, y, w)` such that the point appears at the pixel position `(x/w, y/w)`, if w > 0.
     pub(super) fn homogeneous(&self, point: DVec3) -> DVec3 {
         let relative = point - self.eye;
-        let w = if self.is_perspective { self.depth(point) } else { 1.0 };
+        let w = if self.is_perspective {
+            self.depth(point)
+        } else {
+            1.0
+        };
         let x = self.scale * relative.dot(self.right) + w * self.centre[0];
         let y = -self.scale * relative.dot(self.up) + w * self.centre[1];
         DVec3::new(x, y, w)
@@ -105,7 +137,7 @@ impl Camera {
     }
 
     /// The unit vector from a point towards the eye.
-    pub(super) fn to_eye(&self, point: DVec3) -> DVec3 {
+    pub(super) fn direction_from(&self, point: DVec3) -> DVec3 {
         if self.is_perspective {
             (self.eye - point).try_normalize().unwrap_or(self.back)
         } else {
@@ -122,7 +154,9 @@ mod tests {
     fn the_target_is_in_the_middle_and_the_field_of_view_spans_the_height() {
         let view = View::perspective(DVec3::new(0.0, 0.0, 2.0), DVec3::ZERO, DVec3::Y, 90.0);
         assert_eq!(view.project(DVec3::ZERO, 80, 60), Some([40.0, 30.0]));
-        let [x, y] = view.project(DVec3::new(0.0, 2.0, 0.0), 80, 60).expect("in front of the eye");
+        let [x, y] = view
+            .project(DVec3::new(0.0, 2.0, 0.0), 80, 60)
+            .expect("in front of the eye");
         // At 45° the height's half is seen at the distance 2: y = 30 - 30 · cot 45°, three roundings of 30.
         assert!((x - 40.0).abs() <= 1e-13 && y.abs() <= 1e-13, "{x} {y}");
         assert_eq!(view.project(DVec3::new(0.0, 0.0, 3.0), 80, 60), None);
@@ -132,14 +166,19 @@ mod tests {
     fn parallel_projection_ignores_the_distance() {
         let view = View::orthographic(DVec3::Z, DVec3::ZERO, DVec3::Y, 4.0);
         for z in [-9.0, 0.0, 9.0] {
-            assert_eq!(view.project(DVec3::new(1.0, 1.0, z), 80, 80), Some([60.0, 20.0]));
+            assert_eq!(
+                view.project(DVec3::new(1.0, 1.0, z), 80, 80),
+                Some([60.0, 20.0])
+            );
         }
     }
 
     #[test]
     fn a_view_along_its_own_up_direction_still_has_a_frame() {
         let view = View::orthographic(DVec3::Z, DVec3::ZERO, DVec3::Z, 1.0);
-        let [right, up, back] = Camera::new(&view, 4, 4).frame();
+        let Camera {
+            right, up, back, ..
+        } = Camera::new(&view, 4, 4);
         assert_eq!(right.cross(up), back);
     }
 }

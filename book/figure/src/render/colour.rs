@@ -56,12 +56,18 @@ mod tests {
         for byte in 11..=u8::MAX {
             let expected = ((f64::from(byte) / 255.0 + 0.055) / 1.055).powf(2.4);
             // A dozen roundings at 2⁻⁵³ each, and one unit of powf.
-            assert!((decode(byte) / expected - 1.0).abs() <= 16.0 * f64::EPSILON, "{byte}");
+            assert!(
+                (decode(byte) / expected - 1.0).abs() <= 16.0 * f64::EPSILON,
+                "{byte}"
+            );
         }
     }
 
     #[test]
     fn values_out_of_range_are_clamped_and_nan_is_black() {
-        assert_eq!([-1.0, 2.0, f64::INFINITY, f64::NAN].map(encode), [0, 255, 255, 0]);
+        assert_eq!(
+            [-1.0, 2.0, f64::INFINITY, f64::NAN].map(encode),
+            [0, 255, 255, 0]
+        );
     }
 }

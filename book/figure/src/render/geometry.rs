@@ -38,8 +38,10 @@ impl Triangles {
         let mut mesh = Self::default();
         for row in 0..=rows {
             for column in 0..=columns {
-                let (u, v) =
-                    (f64::from(column) / f64::from(columns), f64::from(row) / f64::from(rows));
+                let (u, v) = (
+                    f64::from(column) / f64::from(columns),
+                    f64::from(row) / f64::from(rows),
+                );
                 let (position, normal) = surface(u, v);
                 mesh.positions.push(position);
                 mesh.normals.push(normal);
@@ -79,7 +81,9 @@ impl Triangles {
     pub fn tube(polyline: &[DVec3], radius: f64) -> Self {
         let mut points = polyline.to_vec();
         points.dedup();
-        let rows = u32::try_from(points.len()).unwrap_or(u32::MAX).saturating_sub(1);
+        let rows = u32::try_from(points.len())
+            .unwrap_or(u32::MAX)
+            .saturating_sub(1);
         let mut tube = Self::default();
         if rows == 0 {
             return tube;
@@ -107,9 +111,19 @@ impl Triangles {
 /// The unit tangent of a polyline without repeated points: the mean of the directions before and after.
 fn tangent(points: &[DVec3], index: usize) -> DVec3 {
     let direction = |from: usize, to: usize| (points[to] - points[from]).normalize_or_zero();
-    let before = if index > 0 { direction(index - 1, index) } else { DVec3::ZERO };
-    let after = if index + 1 < points.len() { direction(index, index + 1) } else { DVec3::ZERO };
-    (before + after).try_normalize().unwrap_or(if index > 0 { before } else { after })
+    let before = if index > 0 {
+        direction(index - 1, index)
+    } else {
+        DVec3::ZERO
+    };
+    let after = if index + 1 < points.len() {
+        direction(index, index + 1)
+    } else {
+        DVec3::ZERO
+    };
+    (before + after)
+        .try_normalize()
+        .unwrap_or(if index > 0 { before } else { after })
 }
 
 /// The cosine and sine of an angle in full turns, by plain arithmetic, so that the bits are the same on every machine.
@@ -141,6 +155,7 @@ mod tests {
     use super::*;
 
     #[test]
+    #[allow(clippy::float_cmp, reason = "rounded to whole numbers")]
     fn cosine_and_sine_are_right_to_a_few_roundings() {
         for step in -400..=400 {
             let turns = f64::from(step) / 160.0;
@@ -151,12 +166,17 @@ mod tests {
             assert!((cos - angle.cos()).abs() <= bound, "cos {turns}");
             assert!((sin - angle.sin()).abs() <= bound, "sin {turns}");
         }
-        assert_eq!([0.0, 0.25, 0.5, 0.75].map(|turns| cos_sin(turns).0.round()), [1.0, 0.0, -1.0, 0.0]);
+        assert_eq!(
+            [0.0, 0.25, 0.5, 0.75].map(|turns| cos_sin(turns).0.round()),
+            [1.0, 0.0, -1.0, 0.0]
+        );
     }
 
     #[test]
     fn every_point_of_a_straight_tube_lies_at_the_radius_from_its_line() {
-        let line: Vec<_> = (0..5).map(|step| DVec3::new(1.0, 2.0, f64::from(step))).collect();
+        let line: Vec<_> = (0..5)
+            .map(|step| DVec3::new(1.0, 2.0, f64::from(step)))
+            .collect();
         let tube = Triangles::tube(&line, 0.25);
         for position in &tube.positions {
             let distance = (*position - DVec3::new(1.0, 2.0, position.z)).length();
@@ -167,7 +187,11 @@ mod tests {
     #[test]
     fn tubes_survive_corners_turns_back_and_repeated_points() {
         let (a, b) = (DVec3::ZERO, DVec3::X);
-        for line in [vec![a, b, a], vec![a, a, b, b], vec![a, b, b + DVec3::Y, b + DVec3::Z]] {
+        for line in [
+            vec![a, b, a],
+            vec![a, a, b, b],
+            vec![a, b, b + DVec3::Y, b + DVec3::Z],
+        ] {
             let tube = Triangles::tube(&line, 0.1);
             assert!(!tube.triangles.is_empty());
             assert!(tube.positions.iter().all(|position| position.is_finite()));

@@ -31,8 +31,15 @@ pub struct Material {
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Pattern {
     Matte,
-    Isophotes { direction: DVec3, stripes: u32 },
-    ReflectionLines { along: DVec3, across: DVec3, stripes: u32 },
+    Isophotes {
+        direction: DVec3,
+        stripes: u32,
+    },
+    ReflectionLines {
+        along: DVec3,
+        across: DVec3,
+        stripes: u32,
+    },
     Normals,
 }
 
@@ -52,7 +59,11 @@ impl Material {
     /// A matte surface of this colour.
     #[must_use]
     pub fn matte(colour: Colour) -> Self {
-        Self { colour, pattern: Pattern::Matte, isolines: 0 }
+        Self {
+            colour,
+            pattern: Pattern::Matte,
+            isolines: 0,
+        }
     }
 
     /// Stripes whose edges are isophotes, the lines of constant `normal · direction`: as many stripes as given from −1
@@ -60,7 +71,11 @@ impl Material {
     #[must_use]
     pub fn isophotes(colour: Colour, direction: DVec3, stripes: u32) -> Self {
         let direction = direction.normalize_or_zero();
-        Self { colour, pattern: Pattern::Isophotes { direction, stripes }, isolines: 0 }
+        Self {
+            colour,
+            pattern: Pattern::Isophotes { direction, stripes },
+            isolines: 0,
+        }
     }
 
     /// The mirror image of `stripes` parallel stripes of light (rounded up to an even number) all around, which run
@@ -70,19 +85,34 @@ impl Material {
         let along = along.try_normalize().unwrap_or(DVec3::Z);
         let across = along.any_orthonormal_vector();
         let stripes = stripes.next_multiple_of(2);
-        Self { colour, pattern: Pattern::ReflectionLines { along, across, stripes }, isolines: 0 }
+        Self {
+            colour,
+            pattern: Pattern::ReflectionLines {
+                along,
+                across,
+                stripes,
+            },
+            isolines: 0,
+        }
     }
 
     /// Each coordinate of the normal as a colour: −1 to 1 in x, y, z becomes none to full in red, green, blue.
     #[must_use]
     pub fn normals() -> Self {
-        Self { colour: Colour::Ink, pattern: Pattern::Normals, isolines: 0 }
+        Self {
+            colour: Colour::Ink,
+            pattern: Pattern::Normals,
+            isolines: 0,
+        }
     }
 
     /// The same material with the lines where u or v is a multiple of `1/n`; 0 means none.
     #[must_use]
     pub fn isolines(self, n: u32) -> Self {
-        Self { isolines: n, ..self }
+        Self {
+            isolines: n,
+            ..self
+        }
     }
 
     /// The linear colour of one point.
@@ -90,12 +120,16 @@ impl Material {
         let base = linear(self.colour);
         let colour = match self.pattern {
             Pattern::Matte => base,
-            Pattern::Normals => return (sample.normal + DVec3::ONE) / 2.0,
+            Pattern::Normals => return sample.normal.midpoint(DVec3::ONE),
             Pattern::Isophotes { direction, stripes } => {
-                let height = (sample.normal.dot(direction) + 1.0) / 2.0;
+                let height = f64::midpoint(sample.normal.dot(direction), 1.0);
                 striped(base, height * f64::from(stripes))
             }
-            Pattern::ReflectionLines { along, across, stripes } => {
+            Pattern::ReflectionLines {
+                along,
+                across,
+                stripes,
+            } => {
                 let (normal, to_eye) = (sample.normal, sample.to_eye);
                 let mirrored = 2.0 * normal.dot(to_eye) * normal - to_eye;
                 let angle = turn(mirrored.dot(across), mirrored.dot(along.cross(across)));
@@ -103,7 +137,11 @@ impl Material {
             }
         };
         let lit = colour * illumination(sample, camera);
-        if self.is_on_isoline(sample) { 0.3 * lit } else { lit }
+        if self.is_on_isoline(sample) {
+            0.3 * lit
+        } else {
+            lit
+        }
     }
 
     fn is_on_isoline(&self, sample: &Sample) -> bool {
@@ -125,7 +163,11 @@ fn linear(colour: Colour) -> DVec3 {
 /// The colour in every other interval between integers, and a pale tint of it in those between.
 fn striped(colour: DVec3, position: f64) -> DVec3 {
     let is_odd = position.floor().rem_euclid(2.0) > 0.5;
-    if is_odd { colour.lerp(DVec3::ONE, 0.75) } else { colour }
+    if is_odd {
+        colour.lerp(DVec3::ONE, 0.75)
+    } else {
+        colour
+    }
 }
 
 /// A monotone measure of the direction (x, y), 0 to 1 around the circle, without inverse trigonometry: the position on
@@ -139,10 +181,12 @@ fn turn(x: f64, y: f64) -> f64 {
 /// Ambient, key and fill light, which hang at the camera: the same for both sides of the surface.
 fn illumination(sample: &Sample, camera: &Camera) -> f64 {
     let facing = sample.normal.dot(sample.to_eye) >= 0.0;
-    let normal = if facing { sample.normal } else { -sample.normal };
-    let [right, up, back] = camera.frame();
-    let key = (-0.45 * right + 0.65 * up + 0.8 * back).normalize_or_zero();
-    let fill = (0.8 * right - 0.2 * up + 0.5 * back).normalize_or_zero();
+    let normal = if facing {
+        sample.normal
+    } else {
+        -sample.normal
+    };
+    let [key, fill] = camera.lights();
     let lambert = |light: DVec3| normal.dot(light).max(0.0);
     0.22 + 0.78 * lambert(key) + 0.2 * lambert(fill)
 }
@@ -167,7 +211,10 @@ mod tests {
     fn stripes_change_at_integers_below_zero_too() {
         let colour = DVec3::ZERO;
         let is_pale = |position| striped(colour, position) != colour;
-        assert_eq!([-1.5, -0.5, 0.5, 1.5].map(is_pale), [false, true, false, true]);
+        assert_eq!(
+            [-1.5, -0.5, 0.5, 1.5].map(is_pale),
+            [false, true, false, true]
+        );
     }
 
     #[test]

@@ -13,6 +13,7 @@
 mod camera;
 pub(crate) mod colour;
 mod geometry;
+mod library;
 mod material;
 mod picture;
 mod raster;

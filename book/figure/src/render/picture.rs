@@ -52,8 +52,15 @@ impl Picture {
     pub fn to_png(&self) -> Vec<u8> {
         let mut bytes = Vec::new();
         PngEncoder::new_with_quality(&mut bytes, CompressionType::Best, FilterType::Adaptive)
-            .write_image(&self.rgba, self.width, self.height, ExtendedColorType::Rgba8)
-            .expect("a picture has 4 bytes a pixel and at least one pixel, and memory takes every byte");
+            .write_image(
+                &self.rgba,
+                self.width,
+                self.height,
+                ExtendedColorType::Rgba8,
+            )
+            .expect(
+                "a picture has 4 bytes a pixel and at least one pixel, and memory takes every byte",
+            );
         bytes
     }
 
@@ -66,7 +73,11 @@ impl Picture {
             .decode()
             .map_err(|error| PngError(error.to_string()))?
             .into_rgba8();
-        Ok(Self { width: decoded.width(), height: decoded.height(), rgba: decoded.into_raw() })
+        Ok(Self {
+            width: decoded.width(),
+            height: decoded.height(),
+            rgba: decoded.into_raw(),
+        })
     }
 
     /// The four bytes of the pixel in this column and row.
@@ -75,7 +86,10 @@ impl Picture {
     /// When the picture has no such pixel.
     #[must_use]
     pub fn pixel(&self, column: u32, row: u32) -> [u8; 4] {
-        assert!(column < self.width && row < self.height, "no pixel ({column}, {row}) in {self:?}");
+        assert!(
+            column < self.width && row < self.height,
+            "no pixel ({column}, {row}) in {self:?}"
+        );
         let start = 4 * (row as usize * self.width as usize + column as usize);
         std::array::from_fn(|channel| self.rgba[start + channel])
     }
@@ -88,13 +102,22 @@ mod tests {
     #[test]
     fn png_keeps_every_byte_even_of_transparent_pixels() {
         let rgba: Vec<u8> = (0..=u8::MAX).collect();
-        let picture = Picture { width: 16, height: 4, rgba };
+        let picture = Picture {
+            width: 16,
+            height: 4,
+            rgba,
+        };
         assert_eq!(Picture::from_png(&picture.to_png()), Ok(picture));
     }
 
     #[test]
     fn damaged_files_are_refused_with_a_message() {
-        let png = Picture { width: 2, height: 2, rgba: vec![7; 16] }.to_png();
+        let png = Picture {
+            width: 2,
+            height: 2,
+            rgba: vec![7; 16],
+        }
+        .to_png();
         for bytes in [&png[..png.len() / 2], b"GIF89a", b""] {
             let message = Picture::from_png(bytes).map_err(|error| error.to_string());
             assert!(message.is_err_and(|text| text.starts_with("not a readable PNG picture: ")));

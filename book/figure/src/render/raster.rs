@@ -45,13 +45,22 @@ impl Facet {
             let is_in_front = corner.z > 0.0;
             for (bound, coordinate) in bounds.iter_mut().zip([corner.x, corner.y]) {
                 let position = coordinate / corner.z;
-                let [least, greatest] =
-                    if is_in_front { [position; 2] } else { [f64::NEG_INFINITY, f64::INFINITY] };
+                let [least, greatest] = if is_in_front {
+                    [position; 2]
+                } else {
+                    [f64::NEG_INFINITY, f64::INFINITY]
+                };
                 *bound = [bound[0].min(least), bound[1].max(greatest)];
             }
         }
         let depths = points.map(|point| camera.depth(point));
-        Some(Self { object, triangle, edges, depths, bounds })
+        Some(Self {
+            object,
+            triangle,
+            edges,
+            depths,
+            bounds,
+        })
     }
 
     /// The barycentric coordinates at a pixel position; `None` outside.
@@ -64,10 +73,17 @@ impl Facet {
 
     /// The gradient over the picture of a quantity given at the corners, at a pixel position; per pixel.
     fn gradient(&self, corners: [f64; 3], value: f64, [x, y]: [f64; 2]) -> f64 {
-        let sum: f64 = self.edges.iter().map(|edge| edge.x * x + edge.y * y + edge.z).sum();
+        let sum: f64 = self
+            .edges
+            .iter()
+            .map(|edge| edge.x * x + edge.y * y + edge.z)
+            .sum();
         let slope = |axis: fn(&DVec3) -> f64| -> f64 {
             let terms = self.edges.iter().zip(corners);
-            terms.map(|(edge, corner)| (corner - value) * axis(edge)).sum::<f64>() / sum
+            terms
+                .map(|(edge, corner)| (corner - value) * axis(edge))
+                .sum::<f64>()
+                / sum
         };
         let (along, down) = (slope(|edge| edge.x), slope(|edge| edge.y));
         (along * along + down * down).sqrt()
@@ -94,14 +110,20 @@ pub(super) fn render(objects: &[Object], camera: &Camera, width: u32, height: u3
             }
         }
     }
-    Picture { width, height, rgba }
+    Picture {
+        width,
+        height,
+        rgba,
+    }
 }
 
 /// Index and position, relative to the band, of the samples of a pixel.
 fn sample_indices(column: u32, row: u32, width: u32) -> impl Iterator<Item = (usize, f64, f64)> {
     (0..SAMPLES * SAMPLES).map(move |number| {
-        let (across, down) =
-            (column * SAMPLES + number % SAMPLES, row * SAMPLES + number / SAMPLES);
+        let (across, down) = (
+            column * SAMPLES + number % SAMPLES,
+            row * SAMPLES + number / SAMPLES,
+        );
         let index = down as usize * (width * SAMPLES) as usize + across as usize;
         (index, position(across), position(down))
     })
@@ -134,7 +156,9 @@ fn visible(facets: &[Facet], top: u32, [width, rows]: [u32; 2]) -> Vec<Option<u3
         for line in sample_range(down, lines) {
             for column in sample_range(across, columns) {
                 let at = [position(column), position(line) + f64::from(top)];
-                let Some(weights) = facet.cover(at) else { continue };
+                let Some(weights) = facet.cover(at) else {
+                    continue;
+                };
                 let depth = combine(weights, facet.depths);
                 let index = line as usize * columns as usize + column as usize;
                 if depth < nearest[index] {
@@ -177,7 +201,11 @@ fn shade(
         let terms = corners.iter().zip(weights);
         terms.map(|(&corner, weight)| weight * points[corner]).sum()
     };
-    let smooth = if mesh.normals.is_empty() { None } else { blend(&mesh.normals).try_normalize() };
+    let smooth = if mesh.normals.is_empty() {
+        None
+    } else {
+        blend(&mesh.normals).try_normalize()
+    };
     let normal = smooth.unwrap_or_else(|| {
         let [a, b, c] = corners.map(|corner| mesh.positions[corner]);
         (b - a).cross(c - a).normalize_or_zero()
@@ -189,8 +217,14 @@ fn shade(
             (value, facet.gradient(values, value, at))
         })
     });
-    let to_eye = camera.to_eye(blend(&mesh.positions));
-    material.shade(&Sample { normal, to_eye, parameters, half_line }, camera)
+    let to_eye = camera.direction_from(blend(&mesh.positions));
+    let sample = Sample {
+        normal,
+        to_eye,
+        parameters,
+        half_line,
+    };
+    material.shade(&sample, camera)
 }
 
 /// The pixel of the samples that are covered: their mean colour, and their share as alpha.

@@ -46,13 +46,19 @@ impl Scene {
     /// An empty scene.
     #[must_use]
     pub fn new(view: View) -> Self {
-        Self { view, objects: Vec::new() }
+        Self {
+            view,
+            objects: Vec::new(),
+        }
     }
 
     /// Adds a surface: a mesh of the library, or [`Triangles`].
     #[must_use]
     pub fn surface(mut self, mesh: impl Into<Triangles>, material: Material) -> Self {
-        self.objects.push(Object { mesh: mesh.into(), material });
+        self.objects.push(Object {
+            mesh: mesh.into(),
+            material,
+        });
         self
     }
 
@@ -61,7 +67,9 @@ impl Scene {
     pub fn tube(self, polyline: &[DVec3], radius: f64, colour: Colour) -> Self {
         let ends = [polyline.first(), polyline.last()];
         let tube = self.surface(Triangles::tube(polyline, radius), Material::matte(colour));
-        ends.into_iter().flatten().fold(tube, |scene, &end| scene.point(end, radius, colour))
+        ends.into_iter()
+            .flatten()
+            .fold(tube, |scene, &end| scene.point(end, radius, colour))
     }
 
     /// Adds a point: a ball of this radius.
@@ -86,7 +94,12 @@ impl Scene {
     /// When a triangle of a mesh names a vertex that its lists do not have.
     #[must_use]
     pub fn render(&self, width: u32, height: u32) -> Picture {
-        raster::render(&self.objects, &Camera::new(&self.view, width, height), width, height)
+        raster::render(
+            &self.objects,
+            &Camera::new(&self.view, width, height),
+            width,
+            height,
+        )
     }
 }
 

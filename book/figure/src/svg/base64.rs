@@ -12,7 +12,11 @@ pub(super) fn encode(bytes: &[u8]) -> String {
         for digit in 0..4 {
             let six_bits = (group >> (18 - 6 * digit)) & 0x3f;
             // n bytes fill n + 1 digits of the group.
-            let symbol = if digit <= chunk.len() { ALPHABET[six_bits as usize] } else { b'=' };
+            let symbol = if digit <= chunk.len() {
+                ALPHABET[six_bits as usize]
+            } else {
+                b'='
+            };
             text.push(char::from(symbol));
         }
     }
@@ -25,7 +29,9 @@ mod tests {
 
     #[test]
     fn test_vectors_of_rfc_4648_section_10() {
-        let expected = ["", "Zg==", "Zm8=", "Zm9v", "Zm9vYg==", "Zm9vYmE=", "Zm9vYmFy"];
+        let expected = [
+            "", "Zg==", "Zm8=", "Zm9v", "Zm9vYg==", "Zm9vYmE=", "Zm9vYmFy",
+        ];
         for (length, expected) in expected.iter().enumerate() {
             assert_eq!(encode(&b"foobar"[..length]), *expected);
         }

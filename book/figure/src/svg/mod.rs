@@ -15,6 +15,7 @@ mod text;
 use std::fmt::Write as _;
 
 pub use panels::{Panel, panels};
+pub(crate) use text::estimated_width;
 pub use text::{Anchor, escape};
 
 use crate::palette::Colour;
@@ -38,8 +39,12 @@ pub enum Dashes {
 }
 
 /// The dashes of a plot's series, in the order in which they are given out.
-pub const DASHES: [Dashes; 4] =
-    [Dashes::Solid, Dashes::Dashed, Dashes::Dotted, Dashes::DashDotted];
+pub const DASHES: [Dashes; 4] = [
+    Dashes::Solid,
+    Dashes::Dashed,
+    Dashes::Dotted,
+    Dashes::DashDotted,
+];
 
 /// How a line is drawn.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -56,7 +61,11 @@ impl Stroke {
     /// A solid line.
     #[must_use]
     pub fn new(colour: Colour, width: f64) -> Self {
-        Self { colour, width, dashes: Dashes::Solid }
+        Self {
+            colour,
+            width,
+            dashes: Dashes::Solid,
+        }
     }
 
     /// The same line with these dashes.
@@ -78,7 +87,9 @@ impl Stroke {
             self.width
         );
         if !lengths.is_empty() {
-            let scaled = lengths.iter().map(|length| format!("{:.2}", length * self.width));
+            let scaled = lengths
+                .iter()
+                .map(|length| format!("{:.2}", length * self.width));
             let list = scaled.collect::<Vec<_>>().join(" ");
             let _ = write!(attributes, r#" stroke-dasharray="{list}""#);
         }
@@ -111,7 +122,11 @@ impl Drawing {
     /// An empty drawing of this size.
     #[must_use]
     pub fn new(width: f64, height: f64) -> Self {
-        Self { width, height, body: String::new() }
+        Self {
+            width,
+            height,
+            body: String::new(),
+        }
     }
 
     /// The drawing's width and height.
@@ -130,7 +145,10 @@ impl Drawing {
     #[must_use]
     pub fn polyline(self, points: &[[f64; 2]], stroke: Stroke) -> Self {
         let list = point_list(points);
-        self.element(&format!(r#"<polyline points="{list}" fill="none" {}/>"#, stroke.attributes()))
+        self.element(&format!(
+            r#"<polyline points="{list}" fill="none" {}/>"#,
+            stroke.attributes()
+        ))
     }
 
     /// A closed polygon, filled with a colour at an opacity between 0 and 1, without outline.
@@ -146,7 +164,10 @@ impl Drawing {
     #[must_use]
     pub fn outline(self, points: &[[f64; 2]], stroke: Stroke) -> Self {
         let list = point_list(points);
-        self.element(&format!(r#"<polygon points="{list}" fill="none" {}/>"#, stroke.attributes()))
+        self.element(&format!(
+            r#"<polygon points="{list}" fill="none" {}/>"#,
+            stroke.attributes()
+        ))
     }
 
     /// The cubic Bézier curve of four control points.
@@ -194,7 +215,8 @@ impl Drawing {
         let right = [base[0] + half * y, base[1] - half * x];
         // The shaft ends inside the head, so that its round end does not blunt the point.
         let end = [base[0] + 0.3 * head * x, base[1] + 0.3 * head * y];
-        self.line(from, end, stroke).area(&[to, left, right], stroke.colour, 1.0)
+        self.line(from, end, stroke)
+            .area(&[to, left, right], stroke.colour, 1.0)
     }
 
     /// Text with its baseline at a point: `*S*_1` is an italic S with an index, `10^{-3}` has an exponent.

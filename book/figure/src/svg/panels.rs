@@ -21,19 +21,30 @@ impl Panel {
     /// A picture with its label below it, in the markup of [`Drawing::text`].
     #[must_use]
     pub fn picture(label: &str, picture: Picture) -> Self {
-        Self { label: label.to_string(), sign: None, content: Content::Picture(picture) }
+        Self {
+            label: label.to_string(),
+            sign: None,
+            content: Content::Picture(picture),
+        }
     }
 
     /// A drawing with its label below it, in the markup of [`Drawing::text`].
     #[must_use]
     pub fn drawing(label: &str, drawing: Drawing) -> Self {
-        Self { label: label.to_string(), sign: None, content: Content::Drawing(drawing) }
+        Self {
+            label: label.to_string(),
+            sign: None,
+            content: Content::Drawing(drawing),
+        }
     }
 
     /// The same panel with a sign such as `+`, `−` or `=` between it and the one on its left.
     #[must_use]
     pub fn preceded_by(self, sign: &str) -> Self {
-        Self { sign: Some(sign.to_string()), ..self }
+        Self {
+            sign: Some(sign.to_string()),
+            ..self
+        }
     }
 
     /// The content's height over its width.
@@ -70,7 +81,10 @@ const LABEL_HEIGHT: f64 = 26.0;
 pub fn panels(columns: usize, panels: &[Panel]) -> Drawing {
     let columns = columns.max(1);
     let width = (PAGE_WIDTH - GAP * (columns - 1) as f64) / columns as f64;
-    let heights: Vec<f64> = panels.chunks(columns).map(|row| row_height(row, width)).collect();
+    let heights: Vec<f64> = panels
+        .chunks(columns)
+        .map(|row| row_height(row, width))
+        .collect();
     let total = heights.iter().sum::<f64>() + GAP * heights.len().saturating_sub(1) as f64;
     let mut drawing = Drawing::new(PAGE_WIDTH, total);
     let mut top = 0.0;
@@ -86,7 +100,9 @@ pub fn panels(columns: usize, panels: &[Panel]) -> Drawing {
 }
 
 fn row_content_height(row: &[Panel], width: f64) -> f64 {
-    row.iter().map(|panel| panel.aspect() * width).fold(0.0, f64::max)
+    row.iter()
+        .map(|panel| panel.aspect() * width)
+        .fold(0.0, f64::max)
 }
 
 fn row_height(row: &[Panel], width: f64) -> f64 {

@@ -15,10 +15,23 @@ pub enum Anchor {
     End,
 }
 
+impl Anchor {
+    fn name(self) -> &'static str {
+        match self {
+            Self::Start => "start",
+            Self::Middle => "middle",
+            Self::End => "end",
+        }
+    }
+}
+
 /// `text` with `&`, `<`, `>` and `"` escaped for XML.
 #[must_use]
 pub fn escape(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+    text.replace('&', "&amp;")
+        .replace('<', "&lt;")
+        .replace('>', "&gt;")
+        .replace('"', "&quot;")
 }
 
 /// A piece of text in one style.
@@ -56,19 +69,31 @@ fn runs(markup: &str) -> Vec<Run> {
         match character {
             '*' => italic = !italic,
             '_' | '^' => {
-                let level = if character == '_' { Level::Index } else { Level::Exponent };
+                let is_index = character == '_';
+                let level = [Level::Exponent, Level::Index][usize::from(is_index)];
                 let text = match characters.next() {
-                    Some('{') => characters.by_ref().take_while(|&next| next != '}').collect(),
+                    Some('{') => characters
+                        .by_ref()
+                        .take_while(|&next| next != '}')
+                        .collect(),
                     Some(single) => single.to_string(),
                     None => character.to_string(),
                 };
-                runs.push(Run { text, level, italic: false });
+                runs.push(Run {
+                    text,
+                    level,
+                    italic: false,
+                });
             }
             _ => match runs.last_mut() {
                 Some(run) if run.level == Level::Line && run.italic == italic => {
                     run.text.push(character);
                 }
-                _ => runs.push(Run { text: character.to_string(), level: Level::Line, italic }),
+                _ => runs.push(Run {
+                    text: character.to_string(),
+                    level: Level::Line,
+                    italic,
+                }),
             },
         }
     }
@@ -92,11 +117,7 @@ pub(super) fn element(
     anchor: Anchor,
     colour: Colour,
 ) -> String {
-    let anchor = match anchor {
-        Anchor::Start => "start",
-        Anchor::Middle => "middle",
-        Anchor::End => "end",
-    };
+    let anchor = anchor.name();
     let fill = colour.css();
     let mut element = format!(
         r#"<text x="{x:.2}" y="{y:.2}" font-size="{size:.2}" text-anchor="{anchor}" fill="{fill}">"#
@@ -114,7 +135,9 @@ pub(super) fn element(
             let _ = write!(style, r#" font-size="{:.2}""#, 0.7 * size);
         }
         if run.italic {
-            style.push_str(r#" font-family="'New Computer Modern Math', Georgia, serif" font-style="italic""#);
+            style.push_str(
+                r#" font-family="'New Computer Modern Math', Georgia, serif" font-style="italic""#,
+            );
         }
         if style.is_empty() {
             element.push_str(&text);
@@ -132,10 +155,25 @@ mod tests {
 
     #[test]
     fn an_index_is_lowered_and_the_line_restored() {
-        let text = element([0.0, 0.0], "*S*_1 + 10^{-3}", 20.0, Anchor::Start, Colour::Ink);
-        assert!(text.contains(r#"<tspan dy="5.00" font-size="14.00">1</tspan>"#), "{text}");
-        assert!(text.contains(r#"<tspan dy="-5.00"> + 10</tspan>"#), "{text}");
-        assert!(text.contains(r#"<tspan dy="-7.60" font-size="14.00">-3</tspan>"#), "{text}");
+        let text = element(
+            [0.0, 0.0],
+            "*S*_1 + 10^{-3}",
+            20.0,
+            Anchor::Start,
+            Colour::Ink,
+        );
+        assert!(
+            text.contains(r#"<tspan dy="5.00" font-size="14.00">1</tspan>"#),
+            "{text}"
+        );
+        assert!(
+            text.contains(r#"<tspan dy="-5.00"> + 10</tspan>"#),
+            "{text}"
+        );
+        assert!(
+            text.contains(r#"<tspan dy="-7.60" font-size="14.00">-3</tspan>"#),
+            "{text}"
+        );
         assert!(text.contains(r#"font-style="italic">S</tspan>"#), "{text}");
     }
 
@@ -143,8 +181,11 @@ mod tests {
     fn whatever_the_markup_nothing_of_the_text_is_lost_and_tags_are_balanced() {
         for markup in ["", "_", "x^", "a_{b", "<&>\"", "**", "*a_b*", "}}{{"] {
             let text = element([0.0, 0.0], markup, 10.0, Anchor::End, Colour::Ink);
-            assert_eq!(text.matches("<tspan").count(), text.matches("</tspan>").count());
-            let letters = |text: &str| text.chars().filter(|c| c.is_ascii_lowercase()).count();
+            assert_eq!(
+                text.matches("<tspan").count(),
+                text.matches("</tspan>").count()
+            );
+            let letters = |text: &str| text.chars().filter(char::is_ascii_lowercase).count();
             let kept: String = runs(markup).iter().map(|run| run.text.as_str()).collect();
             assert_eq!(letters(&kept), letters(markup));
         }

@@ -1,0 +1,38 @@
+//! The chapter *Coons patches*: makes its figures, or a patch from four curves of your own.
+//!
+//! ```text
+//! cargo run --release --example coons                                      figures into target/figures/coons/
+//! cargo run --release --example coons -- boundary.obj --out patch.obj      patch.obj and patch.png
+//! ```
+
+mod figures;
+mod patch_from_file;
+
+use std::path::Path;
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let done = match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
+        [] => write_figures(),
+        [boundary, "--out", patch] | ["--out", patch, boundary] => {
+            patch_from_file::run(Path::new(boundary), Path::new(patch))
+        }
+        _ => Err("usage: coons [BOUNDARY.obj --out PATCH.obj]".into()),
+    };
+    match done {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("error: {error}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn write_figures() -> Result<(), Box<dyn std::error::Error>> {
+    for figure in figures::FIGURES {
+        let path = (figure.make)().write(Path::new("target/figures/coons"))?;
+        println!("{}", path.display());
+    }
+    Ok(())
+}
