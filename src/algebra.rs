@@ -293,22 +293,27 @@ macro_rules! glam_vector {
             type Scalar = $scalar;
             const DIMENSION: usize = $dimension;
 
+            #[inline]
             fn origin() -> Self {
                 Self::ZERO
             }
 
+            #[inline]
             fn plus(self, other: Self) -> Self {
                 self + other
             }
 
+            #[inline]
             fn minus(self, other: Self) -> Self {
                 self - other
             }
 
+            #[inline]
             fn times(self, factor: $scalar) -> Self {
                 self * factor
             }
 
+            #[inline]
             fn coordinate(self, index: usize) -> $scalar {
                 self[index]
             }
@@ -318,14 +323,17 @@ macro_rules! glam_vector {
         glam_vector!($vector, $scalar, 3);
 
         impl Vector3 for $vector {
+            #[inline]
             fn from_coordinates(coordinates: [$scalar; 3]) -> Self {
                 Self::from_array(coordinates)
             }
 
+            #[inline]
             fn dot(self, other: Self) -> $scalar {
                 self.dot(other)
             }
 
+            #[inline]
             fn cross(self, other: Self) -> Self {
                 self.cross(other)
             }
@@ -363,8 +371,8 @@ where
 ///
 /// # Accuracy
 ///
-/// Each coordinate has a relative error of at most 5u: the vector is scaled by its largest coordinate first, so that
-/// squares neither overflow nor underflow.
+/// Each coordinate that is a normal number has a relative error of at most 5u: the vector is scaled by its largest
+/// coordinate first, so that squares neither overflow nor underflow (tested as `length_error_stays_below_its_bound`).
 pub fn unit_vector<P>(vector: P) -> Option<P>
 where
     P: Vector3,

@@ -13,6 +13,7 @@ use crate::surface::{Surface, assert_grid_fits, normal_of_tangents};
 /// # Source
 ///
 /// Coons 1967; slide 9.
+#[inline]
 pub fn ruled_surfaces<C: Curve>(
     boundary: &Boundary<C>,
     u: C::Scalar,
@@ -42,6 +43,7 @@ pub fn ruled_surfaces<C: Curve>(
 /// # Edge cases
 ///
 /// Outside `[0, 1]` the formula extrapolates; NaN gives NaN.
+#[inline]
 pub fn bilinear_point<C: Curve>(boundary: &Boundary<C>, u: C::Scalar, v: C::Scalar) -> C::Point {
     let [s1, s2, s3] = ruled_surfaces(boundary, u, v);
     boolean_sum(s1, s2, s3)
@@ -50,6 +52,7 @@ pub fn bilinear_point<C: Curve>(boundary: &Boundary<C>, u: C::Scalar, v: C::Scal
 
 // ANCHOR: boolean_sum
 /// The sum `s1 + s2 − s3` with the two rounding errors carried along; exact where `s3` equals `s1` or `s2`.
+#[inline]
 pub(super) fn boolean_sum<P: VectorSpace>(s1: P, s2: P, s3: P) -> P {
     let (sum, first_error) = two_sum(s1, s2);
     let (difference, second_error) = two_sum(sum, P::origin().minus(s3));
@@ -57,6 +60,7 @@ pub(super) fn boolean_sum<P: VectorSpace>(s1: P, s2: P, s3: P) -> P {
 }
 
 /// The rounded sum `a + b` and its rounding error, coordinate by coordinate.
+#[inline]
 fn two_sum<P: VectorSpace>(a: P, b: P) -> (P, P) {
     let sum = a.plus(b);
     let b_used = sum.minus(a);

@@ -254,14 +254,19 @@ fn statements(text: &str) -> Vec<Statement> {
     statements
 }
 
-/// What `tobj` is given for a statement: no colours, and of a face's corners the positions only.
+/// What `tobj` is given for a statement: no colours, and of a face's corners the positions only. A corner without a position
+/// becomes a word that it refuses.
 fn for_tobj(statement: &Statement) -> String {
     let words = statement.text.split_whitespace();
     match statement.keyword() {
         "v" if words.clone().count() == 7 => words.take(4).collect::<Vec<_>>().join(" "),
         "v" => statement.text.clone(),
         _ => words
-            .map(|word| word.split('/').next().unwrap_or_default())
+            .map(|word| match word.split_once('/') {
+                Some(("", _)) => "?",
+                Some((position, _)) => position,
+                None => word,
+            })
             .collect::<Vec<_>>()
             .join(" "),
     }
@@ -300,18 +305,20 @@ fn load(
 /// The complaint of `tobj` with the line that caused it, found by bisection.
 fn blame(file: &str, statements: &[Statement], error: LoadError) -> ObjError {
     let vertices_fail = load(statements, |line| !line.is_element()).is_err();
-    let fails_up_to = |last: &Statement| {
-        let considered = |line: &Statement| {
+    let up_to = |last: &Statement| {
+        load(statements, |line| {
             let early = line.line <= last.line;
             if vertices_fail {
                 early && !line.is_element()
             } else {
                 early || !line.is_element()
             }
-        };
-        load(statements, considered).is_err()
+        })
     };
-    let first = statements.partition_point(|statement| !fails_up_to(statement));
+    let first = statements.partition_point(|statement| up_to(statement).is_ok());
+    // A file with several mistakes has several complaints: this line's own is wanted.
+    let own = statements.get(first).and_then(|last| up_to(last).err());
+    let error = own.unwrap_or(error);
     let count = statements
         .iter()
         .filter(|line| line.keyword() == "v")

@@ -174,7 +174,7 @@ fn short_lerp_loses_the_lower_arch() {
 /// neighbour on the same curve shows a crack. The compensated sum meets all four edges at every parameter tried.
 #[test]
 fn plain_sums_miss_the_edge() {
-    let boundary = vault([0.1, 0.2, 0.001], 0.7);
+    let boundary = vault([0.1, 0.2, -0.3], 0.7);
     let parameters = (0..=64)
         .map(|index| f64::from(index) / 64.0)
         .collect::<Vec<_>>();
