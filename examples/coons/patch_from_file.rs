@@ -1,7 +1,6 @@
 //! A patch from four curves in an OBJ file.
 
 use std::error::Error;
-use std::fs;
 use std::path::Path;
 
 use facette::algebra::VectorSpace;
@@ -9,7 +8,7 @@ use facette::coons::{Boundary, CoonsPatch};
 use facette::curve::Polyline;
 use facette::mesh::{Mesh, Obj, tessellate_uniformly, write_obj};
 use facette_figure::palette::Colour;
-use facette_figure::render::{Material, Scene, View};
+use facette_figure::render::{Material, Picture, Scene, View};
 use glam::DVec3;
 
 /// Cells along each side of the patch.
@@ -23,13 +22,9 @@ const MEETING: f64 = 1e-5;
 pub fn run(boundary: &Path, patch: &Path) -> Result<(), Box<dyn Error>> {
     let file = boundary.display();
     let obj = Obj::read(boundary)?;
-    let curves = [("P1"), ("P2"), ("Q1"), ("Q2")].map(|name| curve(&obj, name));
-    let [p1, p2, q1, q2] = curves;
-    let curves = [p1, p2, q1, q2].into_iter().collect::<Result<Vec<_>, _>>();
-    let curves: [_; 4] = curves
-        .map_err(|error| format!("{file}: {error}"))?
-        .try_into()
-        .map_err(|_| "four curves are expected")?;
+    let curves = ["P1", "P2", "Q1", "Q2"].map(|name| curve(&obj, name));
+    let [p1, p2, q1, q2] = curves.map(|found| found.map_err(|error| format!("{file}: {error}")));
+    let curves = [p1?, p2?, q1?, q2?];
     let points: Vec<DVec3> = curves
         .iter()
         .flat_map(|curve| curve.points().to_vec())
@@ -40,8 +35,7 @@ pub fn run(boundary: &Path, patch: &Path) -> Result<(), Box<dyn Error>> {
     let mesh = tessellate_uniformly(&CoonsPatch::new(boundary.clone()), CELLS, CELLS)?;
     write_obj(patch, "patch", &mesh)?;
     let picture = patch.with_extension("png");
-    fs::write(&picture, picture_of(&mesh, &boundary))
-        .map_err(|error| format!("{}: {error}", picture.display()))?;
+    picture_of(&mesh, &boundary).save(&picture)?;
     println!(
         "{}: {} vertices, {} triangles; {}",
         patch.display(),
@@ -90,7 +84,7 @@ fn size(points: &[DVec3]) -> f64 {
 }
 
 /// The patch with its lines of constant parameters and its boundary, seen from above in front.
-fn picture_of(mesh: &Mesh<DVec3>, boundary: &Boundary<Polyline<DVec3>>) -> Vec<u8> {
+fn picture_of(mesh: &Mesh<DVec3>, boundary: &Boundary<Polyline<DVec3>>) -> Picture {
     let size = size(&mesh.positions).max(f64::MIN_POSITIVE);
     let count = mesh.positions.len().max(1) as f64;
     let centre = mesh.positions.iter().sum::<DVec3>() / count;
@@ -102,15 +96,7 @@ fn picture_of(mesh: &Mesh<DVec3>, boundary: &Boundary<Polyline<DVec3>>) -> Vec<u
         .unwrap_or(DVec3::Z);
     let aside = mean_normal.any_orthonormal_vector();
     let eye = centre + (mean_normal * 1.6 + aside * 1.6) * size;
-    let up = if mean_normal
-        .cross(aside)
-        .abs_diff_eq(DVec3::ZERO, f64::EPSILON)
-    {
-        DVec3::Z
-    } else {
-        mean_normal
-    };
-    let mut scene = Scene::new(View::orthographic(eye, centre, up, 1.5 * size))
+    let mut scene = Scene::new(View::orthographic(eye, centre, mean_normal, 1.15 * size))
         .surface(mesh, Material::matte(Colour::Sky).isolines(8));
     for (curve, colour) in [
         (boundary.p1(), Colour::Blue),
@@ -120,5 +106,5 @@ fn picture_of(mesh: &Mesh<DVec3>, boundary: &Boundary<Polyline<DVec3>>) -> Vec<u
     ] {
         scene = scene.tube(curve.points(), 0.008 * size, colour);
     }
-    scene.render(960, 720).to_png()
+    scene.render(960, 720)
 }

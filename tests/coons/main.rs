@@ -5,6 +5,7 @@ mod bicubic_theorems;
 mod common;
 mod hard_cases;
 mod inputs;
+mod main_job;
 mod mistakes;
 mod oracles;
 mod snapshots;

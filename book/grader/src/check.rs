@@ -1,5 +1,12 @@
 //! One exercise against its theorems: in the order of the text, up to the first that fails.
 
+use std::collections::BTreeMap;
+use std::io;
+use std::num::NonZero;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::mpsc::{self, Receiver, Sender};
+use std::thread;
+
 use crate::error::GraderError;
 use crate::protocol::Outcome;
 use crate::theorem::Theorem;
@@ -30,18 +37,64 @@ impl Verdict<'_> {
     }
 }
 
-/// Runs the theorems one by one with `run`, tells `holds` of each that holds, and stops at the first that does not.
+/// Runs a theorem; a run that is no longer wanted ends early once the flag is set, with any outcome.
+pub type Run<'a> = &'a (dyn Fn(&Theorem, &AtomicBool) -> Result<Outcome, GraderError> + Sync);
+
+/// Runs the theorems with `run`, tells `holds` of each that holds, in their order, and stops at the first that does
+/// not. As many run at a time as there are processors; what comes after the first failure is thrown away.
 ///
 /// # Errors
 ///
 /// Those of `run` and `holds`.
 pub fn check<'a>(
     theorems: &[&'a Theorem],
-    run: &mut dyn FnMut(&Theorem) -> Result<Outcome, GraderError>,
+    run: Run,
     holds: &mut dyn FnMut(&Theorem) -> Result<(), GraderError>,
 ) -> Result<Verdict<'a>, GraderError> {
+    let (next, is_decided) = (AtomicUsize::new(0), AtomicBool::new(false));
+    let (sender, outcomes) = mpsc::channel();
+    let work = |sender: Sender<Numbered>| {
+        while !is_decided.load(Ordering::Relaxed) {
+            let number = next.fetch_add(1, Ordering::Relaxed);
+            let Some(theorem) = theorems.get(number) else {
+                return;
+            };
+            if sender.send((number, run(theorem, &is_decided))).is_err() {
+                return;
+            }
+        }
+    };
+    thread::scope(|scope| {
+        for _ in 0..thread::available_parallelism().map_or(1, NonZero::get) {
+            let sender = sender.clone();
+            scope.spawn(|| work(sender));
+        }
+        drop(sender);
+        let verdict = in_order(theorems, &outcomes, holds);
+        is_decided.store(true, Ordering::Relaxed);
+        verdict
+    })
+}
+
+/// The number of a theorem and what its run has shown.
+type Numbered = (usize, Result<Outcome, GraderError>);
+
+/// Takes the outcomes in the order of the theorems, whatever order they come in.
+fn in_order<'a>(
+    theorems: &[&'a Theorem],
+    outcomes: &Receiver<Numbered>,
+    holds: &mut dyn FnMut(&Theorem) -> Result<(), GraderError>,
+) -> Result<Verdict<'a>, GraderError> {
+    let mut early = BTreeMap::new();
     for (passed, &theorem) in theorems.iter().enumerate() {
-        match run(theorem)? {
+        let outcome = loop {
+            if let Some(outcome) = early.remove(&passed) {
+                break outcome;
+            }
+            let (number, outcome) = outcomes.recv().map_err(io::Error::other)?;
+            early.insert(number, outcome);
+        };
+        match outcome? {
             Outcome::Passed => holds(theorem)?,
             outcome => {
                 let stopped_at = Some((theorem, outcome));

@@ -16,7 +16,7 @@ cargo exercise coons/bilinear --hint    gives the next hint
 cargo exercise coons/bilinear --reset   restores the stub, keeps your file as <file>.previous
 cargo exercise verify                   checks the stubs, the solutions and the typical mistakes
 
---check is what happens without an option. list, check, watch, hint and reset may stand as words before the chapter.";
+--check is what happens without an option. list, check, watch, hint and reset may stand as words, too.";
 
 /// A chapter, and one of its exercises or all of them.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -96,12 +96,12 @@ where
             Long(name) if ACTIONS.contains(&name) => actions.push(name.to_owned()),
             Value(word) => {
                 let word = word.to_string_lossy().into_owned();
-                let is_action = names.is_empty() && ACTIONS.contains(&word.as_str());
-                if is_action {
-                    actions.push(word)
+                let list = if ACTIONS.contains(&word.as_str()) {
+                    &mut actions
                 } else {
-                    names.push(word)
-                }
+                    &mut names
+                };
+                list.push(word);
             }
             other => return Err(other.unexpected().to_string()),
         }

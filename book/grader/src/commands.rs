@@ -20,7 +20,8 @@ use crate::verify;
 use crate::watch;
 use crate::workshop;
 
-/// Does what the command says, and returns whether all is well: every theorem holds that was run.
+/// Does what the command says in the house around the current folder, and returns whether all is well: every theorem
+/// holds that was run.
 ///
 /// # Errors
 ///
@@ -30,18 +31,29 @@ pub fn run(command: &Command, screen: &mut dyn Write) -> Result<bool, GraderErro
         writeln!(screen, "{HELP}")?;
         return Ok(true);
     }
-    let here = Path::new(".");
-    let here = env::current_dir().map_err(GraderError::file("find", here))?;
-    let house = House::around(&here)?;
+    let here = env::current_dir().map_err(GraderError::file("find", Path::new(".")))?;
+    run_in(&House::around(&here)?, command, screen)
+}
+
+/// Does what the command says in this house.
+///
+/// # Errors
+///
+/// As [`run`].
+pub fn run_in(
+    house: &House,
+    command: &Command,
+    screen: &mut dyn Write,
+) -> Result<bool, GraderError> {
     match command {
-        Command::Help => Ok(true),
-        Command::List(target) => list(&house, target.as_ref(), screen),
-        Command::Check(target) => check(&house, target, screen),
-        Command::Watch(target) => watch(&house, target, screen),
-        Command::Hint(target) => hint(&house, target, screen),
-        Command::Reset(target) => reset(&house, target, screen),
+        Command::Help => Ok(writeln!(screen, "{HELP}").map(|()| true)?),
+        Command::List(target) => list(house, target.as_ref(), screen),
+        Command::Check(target) => check(house, target, screen),
+        Command::Watch(target) => watch(house, target, screen),
+        Command::Hint(target) => hint(house, target, screen),
+        Command::Reset(target) => reset(house, target, screen),
         Command::Verify(target) => {
-            verify::verify(&house, &chapters(&house, target.as_ref())?, screen)
+            verify::verify(house, &chapters(house, target.as_ref())?, screen)
         }
     }
 }
@@ -194,7 +206,7 @@ fn checked<'a>(
 ) -> Result<Verdict<'a>, GraderError> {
     check::check(
         grading,
-        &mut |theorem| binary.run(&theorem.name, None),
+        &|theorem, is_unwanted| binary.run(&theorem.name, None, is_unwanted),
         &mut |theorem| Ok(report::holds(screen, theorem)?),
     )
 }
@@ -300,7 +312,7 @@ fn hint(house: &House, target: &Target, screen: &mut dyn Write) -> Result<bool, 
         )?;
     }
     progress.change(&chapter.name, &exercise.name, |record| {
-        record.hints_given = number
+        record.hints_given = number;
     })?;
     Ok(true)
 }

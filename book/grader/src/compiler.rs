@@ -1,7 +1,6 @@
 //! Building the reader's package, and the first error where it does not compile.
 
 use std::env;
-use std::io::Read;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
@@ -88,38 +87,6 @@ pub fn build(package: &Path, target: &Path, test: &str) -> Result<Build, GraderE
     built.ok_or_else(|| GraderError::Cargo {
         package: package.to_path_buf(),
         message: String::from_utf8_lossy(&output.stderr).trim().to_owned(),
-    })
-}
-
-/// Runs the package's own program and returns what it prints.
-///
-/// # Errors
-///
-/// As [`build`].
-pub fn run_program(package: &Path, target: &Path) -> Result<String, GraderError> {
-    let mut command = Command::new(cargo());
-    command
-        .args(["run", "--quiet", "--target-dir"])
-        .arg(target)
-        .current_dir(package);
-    command.stdout(Stdio::piped()).stdin(Stdio::null());
-    let mut child = command
-        .spawn()
-        .map_err(|source| start_error(&cargo(), source))?;
-    let mut text = String::new();
-    if let Some(mut output) = child.stdout.take() {
-        output
-            .read_to_string(&mut text)
-            .map_err(GraderError::file("run", package))?;
-    }
-    let status = child.wait().map_err(GraderError::file("run", package))?;
-    if status.success() {
-        return Ok(text);
-    }
-    let message = "its program fails".to_owned();
-    Err(GraderError::Cargo {
-        package: package.to_path_buf(),
-        message,
     })
 }
 

@@ -12,9 +12,9 @@ pub fn readable(markdown: &str) -> String {
     for (index, part) in markdown.split('`').enumerate() {
         let is_code = index % 2 == 1;
         if is_code {
-            text.push_str(part)
+            text.push_str(part);
         } else {
-            text.push_str(&prose(part))
+            text.push_str(&prose(part));
         }
     }
     text
@@ -26,9 +26,9 @@ fn prose(part: &str) -> String {
     for (index, piece) in marked.split('$').enumerate() {
         let is_formula = index % 2 == 1;
         if is_formula {
-            text.push_str(&formula(piece))
+            text.push_str(&formula(piece));
         } else {
-            text.push_str(&piece.replace("**", ""))
+            text.push_str(&piece.replace("**", ""));
         }
     }
     text

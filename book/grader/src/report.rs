@@ -43,7 +43,7 @@ pub fn state(
         ),
     };
     let name = format!("{}/{}", chapter.name, exercise.name);
-    writeln!(screen, "  {mark} {name:20} {:34} {words}", exercise.title)
+    writeln!(screen, "  {mark} {name:18} {:38} {words}", exercise.title)
 }
 
 /// The heading of a check: the exercise and the file to write.

@@ -3,6 +3,7 @@
 use std::io::Read;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, ExitStatus, Stdio};
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread;
 use std::time::{Duration, Instant};
 
@@ -10,7 +11,7 @@ use crate::error::GraderError;
 use crate::protocol::{self, Outcome};
 
 /// A theorem takes well below a second; what takes longer than this will not end.
-const TIME_LIMIT: Duration = Duration::from_secs(60);
+const TIME_LIMIT: Duration = Duration::from_mins(1);
 
 /// How often the end of a test is looked for.
 const POLL: Duration = Duration::from_millis(2);
@@ -46,23 +47,19 @@ impl TestBinary {
         Ok(binary)
     }
 
-    /// Runs the theorem whose test function has this name, with a typical mistake switched on or with none.
+    /// Runs the theorem whose test function has this name, with a typical mistake switched on or with none; ends it
+    /// early once the flag is set.
     ///
     /// # Errors
     ///
     /// [`GraderError::Binary`] where the binary has no such test.
-    pub fn run(&self, theorem: &str, mistake: Option<&str>) -> Result<Outcome, GraderError> {
-        let is_it = |test: &&String| test.rsplit("::").next() == Some(theorem);
-        let test = self
-            .tests
-            .iter()
-            .find(is_it)
-            .ok_or_else(|| GraderError::Binary {
-                binary: self.path.clone(),
-                message: format!(
-                    "has no test `{theorem}`: it must include the file of the theorems"
-                ),
-            })?;
+    pub fn run(
+        &self,
+        theorem: &str,
+        mistake: Option<&str>,
+        is_unwanted: &AtomicBool,
+    ) -> Result<Outcome, GraderError> {
+        let test = self.named(theorem)?;
         let mut command = self.command();
         command.args([
             "--exact",
@@ -75,7 +72,33 @@ impl TestBinary {
             command.env("FACETTE_MISTAKE", mistake);
         }
         let child = command.spawn().map_err(self.start_error())?;
-        ended(child, TIME_LIMIT).map_err(GraderError::file("run", &self.path))
+        ended(child, TIME_LIMIT, is_unwanted).map_err(GraderError::file("run", &self.path))
+    }
+
+    /// What the test `list_mistakes` prints.
+    ///
+    /// # Errors
+    ///
+    /// [`GraderError::Binary`] where the binary has no such test.
+    pub fn list_of_mistakes(&self) -> Result<String, GraderError> {
+        let test = self.named("list_mistakes")?;
+        let mut command = self.command();
+        // Quiet, or the first line would stand behind the test's name.
+        command.args(["--exact", test, "--nocapture", "--ignored", "--quiet"]);
+        let printed = command.output().map_err(self.start_error())?;
+        Ok(String::from_utf8_lossy(&printed.stdout).into_owned())
+    }
+
+    /// The path of the test function with this name.
+    fn named(&self, name: &str) -> Result<&str, GraderError> {
+        let mut tests = self.tests.iter().map(String::as_str);
+        let found = tests.find(|test| test.rsplit("::").next() == Some(name));
+        found.ok_or_else(|| GraderError::Binary {
+            binary: self.path.clone(),
+            message: format!(
+                "has no test `{name}`: exercise.rs must include the module that has it"
+            ),
+        })
     }
 
     fn command(&self) -> Command {
@@ -100,12 +123,17 @@ impl TestBinary {
     }
 }
 
-/// Waits for the end of a test and reads what it has shown; a test that does not end within the limit is ended.
+/// Waits for the end of a test and reads what it has shown; a test that does not end within the limit, or is no
+/// longer wanted, is ended.
 ///
 /// # Errors
 ///
 /// Where the process cannot be waited for.
-pub fn ended(mut child: Child, limit: Duration) -> std::io::Result<Outcome> {
+pub fn ended(
+    mut child: Child,
+    limit: Duration,
+    is_unwanted: &AtomicBool,
+) -> std::io::Result<Outcome> {
     let output = collected(child.stdout.take());
     let errors = collected(child.stderr.take());
     let start = Instant::now();
@@ -113,7 +141,7 @@ pub fn ended(mut child: Child, limit: Duration) -> std::io::Result<Outcome> {
         if let Some(status) = child.try_wait()? {
             break in_words(status);
         }
-        if start.elapsed() > limit {
+        if start.elapsed() > limit || is_unwanted.load(Ordering::Relaxed) {
             child.kill()?;
             child.wait()?;
             let seconds = limit.as_secs();

@@ -67,23 +67,17 @@ pub fn of_exercise<'a>(
     Ok(grading)
 }
 
-/// `theorems.rs`, or the files of the folder `theorems` where the chapter has outgrown one file.
+/// The files of the chapter's theorems: `theorems.rs`, and where it has outgrown one file, `<part>_theorems.rs`.
 fn test_files(tests: &Path) -> Result<Vec<PathBuf>, GraderError> {
-    let folder = tests.join("theorems");
     let mut files = Vec::new();
-    if folder.is_dir() {
-        for entry in fs::read_dir(&folder).map_err(GraderError::file("list", &folder))? {
-            let path = entry.map_err(GraderError::file("list", &folder))?.path();
-            if path.extension().is_some_and(|extension| extension == "rs") {
-                files.push(path);
-            }
+    for entry in fs::read_dir(tests).map_err(GraderError::file("list", tests))? {
+        let path = entry.map_err(GraderError::file("list", tests))?.path();
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        if name == "theorems.rs" || name.ends_with("_theorems.rs") {
+            files.push(path);
         }
-        files.sort();
     }
-    let single = tests.join("theorems.rs");
-    if files.is_empty() || single.is_file() {
-        files.insert(0, single);
-    }
+    files.sort_by_key(|path| (!path.ends_with("theorems.rs"), path.clone()));
     Ok(files)
 }
 

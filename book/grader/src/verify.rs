@@ -8,6 +8,7 @@
 use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
+use std::sync::atomic::AtomicBool;
 
 use crate::catalogue::{Chapter, Exercise};
 use crate::check;
@@ -19,7 +20,7 @@ use crate::runner::TestBinary;
 use crate::theorem::{self, Theorem};
 use crate::workshop;
 
-/// A typical mistake, as the program of the mistakes' package lists it: one a line, separated by tabs.
+/// A typical mistake, as the test `list_mistakes` lists it: one a line, separated by tabs.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Mistake {
     /// Its name.
@@ -177,14 +178,14 @@ impl Trial<'_> {
         for exercise in &self.chapter.exercises {
             let mut result = Ok(());
             for theorem in self.grading(&exercise.name)? {
-                let outcome = binary.run(&theorem.name, None)?;
+                let outcome = binary.run(&theorem.name, None, &AtomicBool::new(false))?;
                 if !matches!(outcome, Outcome::NotWritten(_)) {
                     let name = &theorem.name;
                     result = Err(format!("{name} does not meet the stub: {outcome:?}"));
                 }
             }
             tally.count(
-                &format!("{}: every theorem meets the stub", self.name(exercise)),
+                &format!("{}: the stub fails every theorem", self.name(exercise)),
                 result,
             )?;
         }
@@ -204,11 +205,8 @@ impl Trial<'_> {
         let binary = self.built(&package)?;
         for exercise in &self.chapter.exercises {
             let grading = self.grading(&exercise.name)?;
-            let what = format!(
-                "{}: the solution satisfies its {} theorems",
-                self.name(exercise),
-                grading.len()
-            );
+            let (name, count) = (self.name(exercise), grading.len());
+            let what = format!("{name}: the solution passes all its theorems ({count})");
             let result = match stop(&binary, &grading, None)? {
                 None => Ok(()),
                 Some((theorem, outcome)) => Err(format!("{}: {outcome:?}", theorem.name)),
@@ -221,22 +219,17 @@ impl Trial<'_> {
     /// Every typical mistake is rejected.
     fn mistakes(&self, tally: &mut Tally) -> Result<(), GraderError> {
         let package = self.package("mistakes")?;
-        let templates = self
-            .house
-            .templates()
-            .join(&self.chapter.name)
-            .join("verify");
-        let root = root_of(self.house);
-        for file in ["lib.rs", "main.rs"] {
-            workshop::refresh(
-                &templates.join(file),
-                &package.join("src").join(file),
-                &root,
-            )?;
-        }
+        let templates = self.house.templates().join(&self.chapter.name);
+        let (root, lib) = (root_of(self.house), package.join("src/lib.rs"));
+        workshop::refresh(&templates.join("verify.rs"), &lib, &root)?;
         let binary = self.built(&package)?;
-        let list = compiler::run_program(&package, &self.target())?;
-        for mistake in parse_mistakes(&list) {
+        let list = binary.list_of_mistakes()?;
+        let mistakes = parse_mistakes(&list);
+        if mistakes.is_empty() {
+            let why = Err("tests/<chapter>/mistakes.rs lists none".to_owned());
+            tally.count(&format!("{}: typical mistakes", self.chapter.name), why)?;
+        }
+        for mistake in mistakes {
             let what = format!(
                 "{}/{}, mistake {}: rejected by {} with its hint",
                 self.chapter.name, mistake.exercise, mistake.name, mistake.rejected_by
@@ -293,8 +286,10 @@ fn stop<'a>(
     grading: &[&'a Theorem],
     mistake: Option<&str>,
 ) -> Result<Option<(&'a Theorem, Outcome)>, GraderError> {
-    let mut run = |theorem: &Theorem| binary.run(&theorem.name, mistake);
-    Ok(check::check(grading, &mut run, &mut |_| Ok(()))?.stopped_at)
+    let run = |theorem: &Theorem, is_unwanted: &AtomicBool| {
+        binary.run(&theorem.name, mistake, is_unwanted)
+    };
+    Ok(check::check(grading, &run, &mut |_| Ok(()))?.stopped_at)
 }
 
 fn root_of(house: &House) -> String {

@@ -64,6 +64,14 @@ impl Picture {
         bytes
     }
 
+    /// Writes the picture to the PNG file at `path`: whole or not at all.
+    ///
+    /// # Errors
+    /// What the file system refuses, with the path in the message.
+    pub fn save(&self, path: &std::path::Path) -> std::io::Result<()> {
+        crate::write_atomically(path, &self.to_png())
+    }
+
     /// The picture in the bytes of a PNG file of any colour type.
     ///
     /// # Errors
