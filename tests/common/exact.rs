@@ -22,6 +22,10 @@ pub struct Exact(Number);
 
 /// Every number has one form only, so that equal numbers are equal: narrow where it fits, and in lowest terms.
 #[derive(Clone, Copy, PartialEq)]
+#[allow(
+    clippy::large_enum_variant,
+    reason = "scalars are `Copy`: the wide number cannot stand behind a pointer"
+)]
 enum Number {
     Narrow(Ratio<i128>),
     Wide(Ratio<Wide>),

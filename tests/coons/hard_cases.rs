@@ -111,6 +111,26 @@ fn given_tolerance_is_kept_to_the_bit() {
     assert!(!accepts(0.0, f64::NAN));
 }
 
+/// A line that takes seven units of the parameter.
+#[derive(Clone)]
+struct Longer(BezierCurve<[f64; 3]>);
+impl Curve for Longer {
+    type Scalar = f64;
+    type Point = [f64; 3];
+
+    fn domain(&self) -> [f64; 2] {
+        [0.0, 7.0]
+    }
+
+    fn point(&self, t: f64) -> [f64; 3] {
+        self.0.point(t / 7.0)
+    }
+
+    fn derivative(&self, _: f64) -> Option<[f64; 3]> {
+        None
+    }
+}
+
 /// **What is not finite is refused, and what is not over $[0,1]$.** A curve that ends at infinity or nowhere bounds nothing; the message names the
 /// end.
 #[test]
@@ -129,24 +149,6 @@ fn boundaries_of_unusable_curves_are_refused() {
         "P1(1) is [inf, 0.0, 0.0]: every coordinate must be finite"
     );
 
-    #[derive(Clone)]
-    struct Longer(BezierCurve<[f64; 3]>);
-    impl Curve for Longer {
-        type Scalar = f64;
-        type Point = [f64; 3];
-
-        fn domain(&self) -> [f64; 2] {
-            [0.0, 7.0]
-        }
-
-        fn point(&self, t: f64) -> [f64; 3] {
-            self.0.point(t / 7.0)
-        }
-
-        fn derivative(&self, _: f64) -> Option<[f64; 3]> {
-            None
-        }
-    }
     let longer = [(a, b), (d, c), (a, d), (b, c)].map(|(start, end)| Longer(line(start, end)));
     let [p1, p2, q1, q2] = longer;
     let refused = Boundary::new(p1, p2, q1, q2)

@@ -1,4 +1,8 @@
 //! The chapter *coons*: its theorems, the errors against the oracle, the hard cases and the snapshots of its figures.
+#![allow(
+    clippy::float_cmp,
+    reason = "theorems and hard cases promise the same bits"
+)]
 
 mod bicubic_theorems;
 #[path = "../common/mod.rs"]

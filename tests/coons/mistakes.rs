@@ -122,6 +122,10 @@ pub fn bilinear_point<C: Curve>(
 }
 
 /// What the mistake makes of the partial derivatives; the outer `None` for a mistake of another function.
+#[allow(
+    clippy::option_option,
+    reason = "of which the inner one is the answer of the function that is imitated"
+)]
 pub fn bilinear_partials<C: Curve>(
     mistake: &str,
     boundary: &Boundary<C>,

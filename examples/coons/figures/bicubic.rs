@@ -16,10 +16,10 @@ use super::shapes::{
 };
 
 /// Two neighbouring patches with isophotes, and the curve that they share.
-fn neighbours(meshes: [Mesh<DVec3>; 2], below: &Net) -> Picture {
+fn neighbours(meshes: &[Mesh<DVec3>; 2], below: &Net) -> Picture {
     let view = View::orthographic(at(6., -9., 9.), at(1.5, 0., 0.5), DVec3::Z, 6.2);
     let mut scene = Scene::new(view).tube(&samples(edges_of(below).p2()), 0.025, Colour::Vermilion);
-    for mesh in &meshes {
+    for mesh in meshes {
         scene = scene.surface(
             mesh,
             Material::isophotes(Colour::Sky, at(0.3, -0.5, 0.8), 40),
@@ -38,8 +38,11 @@ pub fn crease_and_cure() -> Figure {
     let drawing = panels(
         2,
         &[
-            Panel::picture("bilinear: a crease", neighbours(bilinear, &nets[0])),
-            Panel::picture("bicubically blended: smooth", neighbours(bicubic, &nets[0])),
+            Panel::picture("bilinear: a crease", neighbours(&bilinear, &nets[0])),
+            Panel::picture(
+                "bicubically blended: smooth",
+                neighbours(&bicubic, &nets[0]),
+            ),
         ],
     );
     figure(

@@ -1,0 +1,269 @@
+//! The harness: runs the variants of a quantity in turn, and holds their time against their error.
+
+use std::hint::black_box;
+use std::rc::Rc;
+use std::time::Instant;
+
+use facette::algebra::Scalar;
+use num_traits::ToPrimitive;
+
+use crate::common::oracle::{Big, big, ulp};
+use crate::float_inputs::{FloatPoint, coordinates};
+
+/// A point without rounding.
+pub type ExactPoint = [Big; 3];
+
+/// How long to measure.
+#[derive(Clone, Copy)]
+pub struct Effort {
+    /// How often each variant gets its turn.
+    pub rounds: usize,
+    /// How long a turn lasts, in nanoseconds.
+    pub turn: f64,
+    /// How many points of a patch are evaluated, the square of an even number.
+    pub points: usize,
+}
+
+/// What a variant computes, and how far it is from the exact values.
+trait Batch {
+    /// Evaluates all points once.
+    fn run(&mut self);
+    /// The largest error in ulps, the largest absolute error and the root mean square of the absolute error.
+    fn errors(&self, exact: &[ExactPoint]) -> [f64; 3];
+}
+
+struct PointBatch<P, F> {
+    points: Vec<P>,
+    fill: F,
+}
+
+impl<P: FloatPoint, F: FnMut(&mut [P])> Batch for PointBatch<P, F> {
+    fn run(&mut self) {
+        (self.fill)(&mut self.points);
+        black_box(&mut self.points);
+    }
+
+    fn errors(&self, exact: &[ExactPoint]) -> [f64; 3] {
+        assert_eq!(self.points.len(), exact.len(), "one exact value a point");
+        let roundoff = P::Scalar::unit_roundoff().into();
+        let mut worst = [0.0_f64; 2];
+        let mut squares = 0.0;
+        for (&point, exact) in self.points.iter().zip(exact) {
+            let errors = differences(coordinates(point), exact);
+            let largest = errors.into_iter().fold(0.0, f64::max);
+            let size = exact.iter().map(|value| nearest(value).abs());
+            let spacing = ulp(size.fold(0.0, f64::max), roundoff);
+            worst = [worst[0].max(largest / spacing), worst[1].max(largest)];
+            squares += errors.into_iter().map(|error| error * error).sum::<f64>();
+        }
+        let count = 3.0 * self.points.len() as f64;
+        [worst[0], worst[1], (squares / count).sqrt()]
+    }
+}
+
+fn differences(computed: [f64; 3], exact: &ExactPoint) -> [f64; 3] {
+    std::array::from_fn(|axis| {
+        let is_finite = computed[axis].is_finite();
+        if is_finite {
+            nearest(&(big(computed[axis]) - &exact[axis])).abs()
+        } else {
+            f64::INFINITY
+        }
+    })
+}
+
+fn nearest(value: &Big) -> f64 {
+    value.to_f64().unwrap_or(f64::INFINITY)
+}
+
+/// One way to compute a quantity with one type of numbers.
+pub struct Variant<'a> {
+    algorithm: &'static str,
+    scalar: &'static str,
+    exact: Option<Rc<[ExactPoint]>>,
+    batch: Box<dyn Batch + 'a>,
+}
+
+/// All ways to compute one quantity on one set of inputs. The first is the baseline of the ratios.
+pub struct Comparison<'a> {
+    quantity: &'static str,
+    inputs: &'static str,
+    evaluations: usize,
+    variants: Vec<Variant<'a>>,
+}
+
+impl<'a> Comparison<'a> {
+    /// A comparison without variants; every run of a variant is so many `evaluations`.
+    pub fn new(quantity: &'static str, inputs: &'static str, evaluations: usize) -> Self {
+        Self {
+            quantity,
+            inputs,
+            evaluations,
+            variants: Vec::new(),
+        }
+    }
+
+    /// Adds a variant that fills a list of points, one for each of the `exact` values.
+    pub fn variant<P: FloatPoint>(
+        mut self,
+        [algorithm, scalar]: [&'static str; 2],
+        exact: &Rc<[ExactPoint]>,
+        fill: impl FnMut(&mut [P]) + 'a,
+    ) -> Self {
+        let points = vec![P::origin(); exact.len()];
+        self.variants.push(Variant {
+            algorithm,
+            scalar,
+            exact: Some(Rc::clone(exact)),
+            batch: Box::new(PointBatch { points, fill }),
+        });
+        self
+    }
+
+    /// Adds a yardstick: work that has a time but no error.
+    pub fn yardstick<P: FloatPoint>(
+        mut self,
+        [algorithm, scalar]: [&'static str; 2],
+        fill: impl FnMut(&mut [P]) + 'a,
+    ) -> Self {
+        let points = vec![P::origin(); self.evaluations];
+        self.variants.push(Variant {
+            algorithm,
+            scalar,
+            exact: None,
+            batch: Box::new(PointBatch { points, fill }),
+        });
+        self
+    }
+
+    /// Runs the variant of this name so many times; false where there is none.
+    pub fn repeat(&mut self, name: &str, times: usize) -> bool {
+        let [quantity, inputs] = [self.quantity, self.inputs];
+        let found = self.variants.iter_mut().find(|variant| {
+            let Variant {
+                algorithm, scalar, ..
+            } = variant;
+            name == format!("{quantity}/{algorithm}/{scalar}/{inputs}")
+        });
+        let Some(variant) = found else { return false };
+        (0..times).for_each(|_| variant.batch.run());
+        true
+    }
+
+    /// Measures all variants, in turn.
+    pub fn measure(mut self, effort: Effort) -> Vec<Row> {
+        let repetitions = self.variants.iter_mut().map(|variant| {
+            let once = time(variant, 3).max(1.0);
+            (effort.turn / once).ceil().max(1.0) as usize
+        });
+        let repetitions: Vec<usize> = repetitions.collect();
+        let mut times = vec![Vec::new(); self.variants.len()];
+        for _ in 0..effort.rounds {
+            for (index, variant) in self.variants.iter_mut().enumerate() {
+                let turn = time(variant, repetitions[index]);
+                times[index].push(turn / self.evaluations as f64);
+            }
+        }
+        let baseline = times[0].clone();
+        let rows = self.variants.iter().zip(times);
+        rows.map(|(variant, times)| self.row(variant, times, &baseline))
+            .collect()
+    }
+
+    fn row(&self, variant: &Variant<'_>, times: Vec<f64>, baseline: &[f64]) -> Row {
+        let ratios = times.iter().zip(baseline).map(|(time, base)| time / base);
+        let [_, ratio, _] = quartiles(ratios.collect());
+        let [low, median, high] = quartiles(times);
+        Row {
+            quantity: self.quantity,
+            algorithm: variant.algorithm,
+            scalar: variant.scalar,
+            inputs: self.inputs,
+            evaluations: self.evaluations,
+            nanoseconds: median,
+            spread: (high - low) / median,
+            ratio,
+            errors: variant
+                .exact
+                .as_ref()
+                .map(|exact| variant.batch.errors(exact)),
+        }
+    }
+}
+
+/// The nanoseconds of one run, as the mean of so many.
+fn time(variant: &mut Variant<'_>, repetitions: usize) -> f64 {
+    let start = Instant::now();
+    for _ in 0..repetitions {
+        variant.batch.run();
+    }
+    start.elapsed().as_nanos() as f64 / repetitions as f64
+}
+
+/// The lower quartile, the median and the upper quartile.
+fn quartiles(mut values: Vec<f64>) -> [f64; 3] {
+    values.sort_by(f64::total_cmp);
+    let last = values.len() - 1;
+    [last / 4, last / 2, last - last / 4].map(|index| values[index])
+}
+
+/// A line of the report.
+pub struct Row {
+    quantity: &'static str,
+    algorithm: &'static str,
+    scalar: &'static str,
+    inputs: &'static str,
+    evaluations: usize,
+    nanoseconds: f64,
+    spread: f64,
+    ratio: f64,
+    errors: Option<[f64; 3]>,
+}
+
+impl Row {
+    /// The names of the cells.
+    pub const COLUMNS: [&str; 12] = [
+        "quantity",
+        "algorithm",
+        "scalar",
+        "threads",
+        "inputs",
+        "n",
+        "ns_per_eval",
+        "spread",
+        "ratio",
+        "max_ulp",
+        "max_abs",
+        "rms",
+    ];
+
+    /// The cells as text; those of the errors are empty for a yardstick.
+    pub fn cells(&self) -> [String; 12] {
+        let error = |index: usize| self.errors.map(|errors| errors[index]);
+        let [ulps, largest, rms] = [0, 1, 2].map(error);
+        let scientific = |value: Option<f64>| value.map_or(String::new(), |v| format!("{v:.2e}"));
+        [
+            self.quantity.to_owned(),
+            self.algorithm.to_owned(),
+            self.scalar.to_owned(),
+            "1".to_owned(),
+            self.inputs.to_owned(),
+            self.evaluations.to_string(),
+            format!("{:.2}", self.nanoseconds),
+            format!("{:.3}", self.spread),
+            format!("{:.3}", self.ratio),
+            ulps.map_or(String::new(), short),
+            scientific(largest),
+            scientific(rms),
+        ]
+    }
+}
+
+/// A number of ulps: with a fraction where it is small, in powers of ten where it is large.
+fn short(value: f64) -> String {
+    if value < 1e4 {
+        format!("{value:.2}")
+    } else {
+        format!("{value:.2e}")
+    }
+}
