@@ -207,3 +207,21 @@ pub fn twists_of(net: &Net) -> facette::coons::Twists<Point> {
         d: twist(0, last - 1),
     }
 }
+
+/// Data in floating point whose two families disagree about every twist.
+#[allow(dead_code, reason = "the exercise runs without the hard cases")]
+pub fn incompatible_example() -> HermiteBoundary<BezierCurve<[f64; 3]>> {
+    let at = |x: f64, y: f64| [x, y, 0.0];
+    let line = |start, end| bezier::<[f64; 3]>(&[start, end]);
+    let [a, b, c, d] = [at(0., 0.), at(1., 0.), at(1., 1.), at(0., 1.)];
+    let boundary = Boundary::new(line(a, b), line(d, c), line(a, d), line(b, c));
+    let [in_u, in_v] = [at(1., 0.), at(0., 1.)];
+    let bulge = |end: [f64; 3], height: f64| bezier(&[end, end.plus([0., 0., height]), end]);
+    let cross = CrossDerivatives {
+        p1_v: bulge(in_v, 1.5),
+        p2_v: bulge(in_v, -0.5),
+        q1_u: bulge(in_u, -1.0),
+        q2_u: bulge(in_u, 0.75),
+    };
+    HermiteBoundary::gregory(boundary.expect("a square"), cross).expect("the slopes fit")
+}

@@ -5,6 +5,7 @@
 )]
 
 mod bicubic_theorems;
+mod boundary_hard_cases;
 #[path = "../common/mod.rs"]
 mod common;
 mod hard_cases;
