@@ -53,7 +53,9 @@ pub fn find(text: &str) -> Vec<Found> {
     let mut from = 0;
     while let Some(start) = text[from..].find("{{#").map(|at| from + at) {
         let inside = start + 3;
-        let line_end = text[inside..].find('\n').map_or(text.len(), |at| inside + at);
+        let line_end = text[inside..]
+            .find('\n')
+            .map_or(text.len(), |at| inside + at);
         from = inside;
         if text[..start].ends_with('\\') {
             continue;
@@ -118,9 +120,7 @@ fn parse(text: &str) -> Result<Directive, String> {
 
 fn cite(arguments: String) -> Directive {
     match arguments.split_once(',') {
-        Some((key, place)) => {
-            Directive::Cite(key.trim().to_owned(), Some(place.trim().to_owned()))
-        }
+        Some((key, place)) => Directive::Cite(key.trim().to_owned(), Some(place.trim().to_owned())),
         None => Directive::Cite(arguments, None),
     }
 }

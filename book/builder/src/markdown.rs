@@ -81,7 +81,8 @@ pub fn formulas(text: &str) -> Vec<Formula> {
 pub fn outline(text: &str) -> Outline {
     let mut outline = Outline::default();
     let mut reader = Reader::default();
-    for (event, range) in TextMergeWithOffset::new(Parser::new_ext(text, options()).into_offset_iter())
+    for (event, range) in
+        TextMergeWithOffset::new(Parser::new_ext(text, options()).into_offset_iter())
     {
         reader.event(event, range, &mut outline);
     }
@@ -221,7 +222,8 @@ mod tests {
 
     #[test]
     fn outline_notes_headings_fences_and_silent_images() {
-        let text = "# The *idea*\n\n```rust,ignore\nfn f() {}\n```\n\n![](a.png) ![seen](b.png) `x`\n";
+        let text =
+            "# The *idea*\n\n```rust,ignore\nfn f() {}\n```\n\n![](a.png) ![seen](b.png) `x`\n";
         let page = outline(text);
         assert_eq!(page.headings, ["The idea"]);
         assert_eq!(page.fences.len(), 1);

@@ -77,8 +77,8 @@ impl<'a> Place<'a> {
 pub fn line_of(text: &str, offset: usize) -> usize {
     let end = offset.min(text.len());
     1 + text.as_bytes()[..end]
-        .iter()
-        .filter(|&&b| b == b'\n')
+        .split(|&b| b == b'\n')
+        .skip(1)
         .count()
 }
 

@@ -208,7 +208,11 @@ mod tests {
     #[test]
     fn a_row_is_found_by_a_field() {
         assert_eq!(
-            field_line("[[entry]]\nkey = \"a\"\n[[entry]]\nkey = \"b\"\n", "key", "b"),
+            field_line(
+                "[[entry]]\nkey = \"a\"\n[[entry]]\nkey = \"b\"\n",
+                "key",
+                "b"
+            ),
             4
         );
     }

@@ -6,11 +6,12 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Which of the two test files of a chapter a statement comes from.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub enum Kind {
-    /// `tests/<chapter>/theorems.rs`
+    /// `tests/<chapter>/theorems.rs`, `tests/<chapter>/*_theorems.rs`
+    #[default]
     Theorem,
-    /// `tests/<chapter>/hard_cases.rs`
+    /// `tests/<chapter>/hard_cases.rs`, `tests/<chapter>/*_hard_cases.rs`
     HardCase,
 }
 
@@ -55,7 +56,7 @@ impl Kind {
 /// An entry of the slide map: where the course says it.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Topic {
-    /// The claim's letter and number, for example `A03`.
+    /// The claim's letter and number, for example `A03`, or a word of the course's plan.
     pub id: String,
     /// The slide or slides, for example `slide 10`.
     pub slide: String,
@@ -75,9 +76,10 @@ impl Topic {
         else {
             return Err(format!("`{text}` has fewer than three parts: {expected}"));
         };
-        let digits = id.trim_start_matches(|c: char| c.is_ascii_uppercase());
-        if digits.is_empty() || digits == id || !digits.chars().all(|c| c.is_ascii_digit()) {
-            return Err(format!("`{id}` is not a claim's letter and number: {expected}"));
+        if !is_claim(id) {
+            return Err(format!(
+                "`{id}` is neither a claim's letter and number nor a word of the course's plan: {expected}"
+            ));
         }
         let number = slide
             .strip_prefix("slides ")
@@ -99,8 +101,15 @@ impl Topic {
     }
 }
 
+/// `A03`, or a word in small letters for what is no claim: `plan`.
+fn is_claim(id: &str) -> bool {
+    let digits = id.trim_start_matches(|c: char| c.is_ascii_uppercase());
+    let numbered = !digits.is_empty() && digits != id && digits.chars().all(|c| c.is_ascii_digit());
+    numbered || (!id.is_empty() && id.chars().all(|c| c.is_ascii_lowercase()))
+}
+
 /// A test, and what its doc comment says.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Theorem {
     /// Theorem or hard case.
     pub kind: Kind,
@@ -148,8 +157,7 @@ pub fn scan(root: &Path, problems: &mut Problems) -> Result<Vec<Theorem>> {
     let mut theorems = Vec::new();
     for chapter in folders(&root.join("tests"))? {
         for kind in [Kind::Theorem, Kind::HardCase] {
-            let stem = Path::new("tests").join(&chapter).join(kind.stem());
-            for file in test_files(root, &stem)? {
+            for file in test_files(root, &chapter, kind)? {
                 let text = fs::read_to_string(root.join(&file))
                     .with_context(|| format!("cannot read {}", file.display()))?;
                 theorems.extend(scan_text(&text, kind, &chapter, &file, problems));
@@ -174,15 +182,24 @@ fn folders(parent: &Path) -> Result<Vec<String>> {
     Ok(names)
 }
 
-/// `stem.rs` and the Rust files of the folder `stem`, where they exist.
-fn test_files(root: &Path, stem: &Path) -> Result<Vec<PathBuf>> {
-    let mut files = vec![stem.with_extension("rs")];
-    if root.join(stem).is_dir() {
-        for entry in fs::read_dir(root.join(stem))? {
-            files.push(stem.join(entry?.file_name()));
+/// The Rust files of a chapter that hold statements of this kind: `theorems.rs`, `bicubic_theorems.rs`,
+/// `theorems/bicubic.rs`.
+fn test_files(root: &Path, chapter: &str, kind: Kind) -> Result<Vec<PathBuf>> {
+    let folder = Path::new("tests").join(chapter);
+    let mut files = Vec::new();
+    for part in [folder.clone(), folder.join(kind.stem())] {
+        if !root.join(&part).is_dir() {
+            continue;
+        }
+        for entry in fs::read_dir(root.join(&part))? {
+            let file = part.join(entry?.file_name());
+            let stem = file.file_stem().unwrap_or_default().to_string_lossy();
+            let named = stem == kind.stem() || stem.ends_with(&format!("_{}", kind.stem()));
+            if file.extension().is_some_and(|e| e == "rs") && (named || part != folder) {
+                files.push(file);
+            }
         }
     }
-    files.retain(|file| root.join(file).is_file() && file.extension().is_some_and(|e| e == "rs"));
     files.sort();
     Ok(files)
 }
@@ -205,9 +222,10 @@ pub fn scan_text(
             problems.add(file, index + 1, "no function follows this `#[test]`");
             continue;
         };
-        let (doc_line, doc) = doc_comment(&lines, index);
+        let (line, doc) = doc_comment(&lines, index);
         if doc.is_empty() {
-            let message = format!("the test `{name}` has no doc comment: its statement belongs there");
+            let message =
+                format!("the test `{name}` has no doc comment: its statement belongs there");
             problems.add(file, index + 1, message);
             continue;
         }
@@ -215,14 +233,10 @@ pub fn scan_text(
             kind,
             chapter: chapter.to_owned(),
             name,
-            title: String::new(),
-            statement: String::new(),
-            topics: Vec::new(),
-            exercises: Vec::new(),
-            errata: Vec::new(),
             code: code(&lines[first..=last]),
             file: file.to_path_buf(),
-            line: doc_line,
+            line,
+            ..Theorem::default()
         };
         read_doc(&doc, &mut theorem, problems);
         theorems.push(theorem);
@@ -311,19 +325,16 @@ fn read_doc(doc: &[String], theorem: &mut Theorem, problems: &mut Problems) {
         in_trailer |= !line.trim().is_empty();
     }
     let statement = statement.join("\n");
-    match split_title(&statement) {
-        Some((title, rest)) => {
-            theorem.title = title;
-            theorem.statement = rest;
-        }
-        None => {
-            let message = format!(
-                "the doc comment of `{}` does not begin with its title, a sentence in bold: `**Title.** ...`",
-                theorem.name
-            );
-            problems.add(&theorem.file, theorem.line, message);
-        }
+    if let Some((title, rest)) = split_title(&statement) {
+        theorem.title = title;
+        theorem.statement = rest;
+        return;
     }
+    let message = format!(
+        "the doc comment of `{}` does not begin with its title, a sentence in bold: `**Title.** ...`",
+        theorem.name
+    );
+    problems.add(&theorem.file, theorem.line, message);
 }
 
 /// The bold sentence at the beginning, and the text after it with as many line breaks before it.

@@ -86,9 +86,8 @@ fn a_test_without_statement_or_title_is_a_problem() {
 
 #[test]
 fn text_after_the_trailer_is_a_problem() {
-    let (_, messages) = scan_sample(
-        "/// **T.** x\n/// Erratum: it says\n/// that.\n#[test]\nfn f() {\n}\n",
-    );
+    let (_, messages) =
+        scan_sample("/// **T.** x\n/// Erratum: it says\n/// that.\n#[test]\nfn f() {\n}\n");
     assert_eq!(messages.len(), 1);
     assert!(messages[0].contains("theorems.rs:3: text after the trailer lines"));
 }
@@ -96,10 +95,11 @@ fn text_after_the_trailer_is_a_problem() {
 #[test]
 fn malformed_topics_say_what_is_expected() {
     assert!(Topic::parse("A03, slides 10-12, a topic, with a comma.").is_ok());
+    assert!(Topic::parse("plan, slide 2, the plan of the course.").is_ok());
     for (text, part) in [
         ("A03, slide 10", "fewer than three parts"),
-        ("03, slide 10, x", "not a claim's letter and number"),
-        ("A, slide 10, x", "not a claim's letter and number"),
+        ("03, slide 10, x", "neither a claim's letter and number"),
+        ("A, slide 10, x", "neither a claim's letter and number"),
         ("A03, page 10, x", "does not name a slide"),
         ("A03, slide ten, x", "does not name a slide"),
         ("A03, slide 10, .", "has no topic"),
@@ -108,4 +108,26 @@ fn malformed_topics_say_what_is_expected() {
         assert!(message.contains(part), "{message}");
         assert!(message.contains("A03, slide 10"), "{message}");
     }
+}
+
+#[test]
+fn a_chapter_may_have_several_files_of_theorems() {
+    let scratch = crate::scratch::Scratch::new();
+    let test = |name: &str| format!("/// **T.** x\n#[test]\nfn {name}() {{}}\n");
+    scratch.write("tests/coons/theorems.rs", &test("a"));
+    scratch.write("tests/coons/bicubic_theorems.rs", &test("b"));
+    scratch.write("tests/coons/theorems/more.rs", &test("c"));
+    scratch.write("tests/coons/oracles.rs", &test("not_a_theorem"));
+    scratch.write("tests/coons/hard_cases.rs", &test("d"));
+    let mut problems = Problems::default();
+    let theorems = scan(scratch.path(), &mut problems).expect("readable");
+    let mut found: Vec<(&str, &str)> = theorems
+        .iter()
+        .map(|t| (t.kind.stem(), t.name.as_str()))
+        .collect();
+    found.sort_unstable();
+    let expected = ["a", "b", "c"].map(|name| ("theorems", name));
+    assert_eq!(found[0], ("hard_cases", "d"));
+    assert_eq!(found[1..], expected);
+    assert!(problems.is_empty());
 }

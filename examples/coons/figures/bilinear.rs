@@ -221,14 +221,11 @@ pub fn speed_against_error() -> Figure {
     .expect("the committed measurements can be read")
 }
 
-/// The measurements made here, if any, otherwise the committed ones.
+/// The measurements made here, if any (below the current folder, the repository's root), otherwise the committed ones.
 fn measurements() -> String {
-    let made_here = concat!(
-        env!("CARGO_MANIFEST_DIR"),
-        "/target/speed_against_error/coons.csv"
-    );
     let committed = include_str!("../../../book/measurements/coons.csv");
-    std::fs::read_to_string(made_here).unwrap_or_else(|_| committed.to_owned())
+    std::fs::read_to_string("target/speed_against_error/coons.csv")
+        .unwrap_or_else(|_| committed.to_owned())
 }
 
 /// A figure from a drawing and its words.
