@@ -199,7 +199,8 @@ fn ferguson_patch_reproduces_bicubic_surfaces_from_sixteen_vectors() {
         let patch = FergusonPatch::from_bezier(square).expect("the points are finite");
         let data = hermite_boundary(net);
         expect_equal(&data.corner_vectors(*u, *v), patch.vectors())?;
-        expect_equal(&surface_point(net, *u, *v), &patch.point(*u, *v))
+        expect_equal(&surface_point(net, *u, *v), &patch.point(*u, *v))?;
+        expect_equal(&bicubic_partials(&data, *u, *v), &patch.partials(*u, *v))
     });
 }
 

@@ -5,7 +5,9 @@ use crate::common::oracle::{big, big_point, largest_error};
 use crate::inputs::{bezier, hermite_boundary, incompatible_example, surface_point};
 use crate::variants::{direct_point, fused_point, short_lerp_point};
 use facette::algebra::{Vector3, VectorSpace, unit_vector};
-use facette::coons::{Boundary, CoonsPatch, bicubic_partials, bicubic_point, bilinear_point};
+use facette::coons::{
+    BicubicPatch, Boundary, CoonsPatch, bicubic_partials, bicubic_point, bilinear_point,
+};
 use facette::curve::{BezierCurve, Curve};
 use facette::surface::Surface;
 use glam::{DVec3, Vec3};
@@ -316,6 +318,9 @@ fn quintic_edges_and_slopes_are_kept() {
         );
     }
     assert_ne!(bicubic_point(&data, t, t), surface_point(&net, t, t));
+    let patch = BicubicPatch::new(data.clone());
+    assert_eq!(patch.point(t, t), bicubic_point(&data, t, t));
+    assert_eq!(patch.partials(t, t), bicubic_partials(&data, t, t));
 }
 
 /// **Gregory's corner.** At the corner the blended twist is $0/0$, but its weight is zero: the patch has its corner point and its two tangents there, no NaN, and next
