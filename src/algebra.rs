@@ -166,9 +166,11 @@ pub trait VectorSpace: Copy + Debug + PartialEq + Send + Sync + 'static {
     ///
     /// Extrapolates outside `[0, 1]`.
     #[must_use]
+    // ANCHOR: lerp
     fn lerp(self, other: Self, t: Self::Scalar) -> Self {
         self.times(Self::Scalar::one() - t).plus(other.times(t))
     }
+    // ANCHOR_END: lerp
 
     /// The sum `Σ weights[i] · points[i]`, added from the left.
     #[must_use]
@@ -353,7 +355,8 @@ glam_vector!(DVec3, f64);
 ///
 /// # Accuracy
 ///
-/// Relative error at most 5u wherever the length itself is a normal number.
+/// Relative error at most 5u wherever the length itself is a normal number (tested as `length_error_stays_below_its_bound`).
+// ANCHOR: length
 pub fn length<P>(vector: P) -> P::Scalar
 where
     P: Vector3,
@@ -366,6 +369,7 @@ where
     let scaled = divided(vector, scale);
     scaled.dot(scaled).sqrt() * scale
 }
+// ANCHOR_END: length
 
 /// The unit vector along `vector`; `None` for a vector that is zero, infinite or NaN.
 ///

@@ -1,5 +1,6 @@
 //! The harness: runs the variants of a quantity in turn, and holds their time against their error.
 
+use std::cell::LazyCell;
 use std::hint::black_box;
 use std::rc::Rc;
 use std::time::Instant;
@@ -12,6 +13,14 @@ use crate::float_inputs::{FloatPoint, coordinates};
 
 /// A point without rounding.
 pub type ExactPoint = [Big; 3];
+
+/// Exact values that variants share, computed when first asked for.
+pub type Exact<'a> = Rc<LazyCell<Vec<ExactPoint>, Box<dyn FnOnce() -> Vec<ExactPoint> + 'a>>>;
+
+/// The exact values that `compute` gives.
+pub fn lazily<'a>(compute: impl FnOnce() -> Vec<ExactPoint> + 'a) -> Exact<'a> {
+    Rc::new(LazyCell::new(Box::new(compute)))
+}
 
 /// How long to measure.
 #[derive(Clone, Copy)]
@@ -80,7 +89,7 @@ fn nearest(value: &Big) -> f64 {
 pub struct Variant<'a> {
     algorithm: &'static str,
     scalar: &'static str,
-    exact: Option<Rc<[ExactPoint]>>,
+    exact: Option<Exact<'a>>,
     batch: Box<dyn Batch + 'a>,
 }
 
@@ -89,6 +98,7 @@ pub struct Comparison<'a> {
     quantity: &'static str,
     inputs: &'static str,
     evaluations: usize,
+    points_each: usize,
     variants: Vec<Variant<'a>>,
 }
 
@@ -99,7 +109,16 @@ impl<'a> Comparison<'a> {
             quantity,
             inputs,
             evaluations,
+            points_each: 1,
             variants: Vec::new(),
+        }
+    }
+
+    /// The same comparison of evaluations that make so many points each.
+    pub fn with_points_each(self, points_each: usize) -> Self {
+        Self {
+            points_each,
+            ..self
         }
     }
 
@@ -107,10 +126,10 @@ impl<'a> Comparison<'a> {
     pub fn variant<P: FloatPoint>(
         mut self,
         [algorithm, scalar]: [&'static str; 2],
-        exact: &Rc<[ExactPoint]>,
+        exact: &Exact<'a>,
         fill: impl FnMut(&mut [P]) + 'a,
     ) -> Self {
-        let points = vec![P::origin(); exact.len()];
+        let points = vec![P::origin(); self.evaluations * self.points_each];
         self.variants.push(Variant {
             algorithm,
             scalar,
@@ -152,15 +171,15 @@ impl<'a> Comparison<'a> {
 
     /// Measures all variants, in turn.
     pub fn measure(mut self, effort: Effort) -> Vec<Row> {
-        let repetitions = self.variants.iter_mut().map(|variant| {
+        let of_variants = self.variants.iter_mut().map(|variant| {
             let once = time(variant, 3).max(1.0);
-            (effort.turn / once).ceil().max(1.0) as usize
+            repetitions(effort.turn / once)
         });
-        let repetitions: Vec<usize> = repetitions.collect();
+        let of_variants: Vec<usize> = of_variants.collect();
         let mut times = vec![Vec::new(); self.variants.len()];
         for _ in 0..effort.rounds {
             for (index, variant) in self.variants.iter_mut().enumerate() {
-                let turn = time(variant, repetitions[index]);
+                let turn = time(variant, of_variants[index]);
                 times[index].push(turn / self.evaluations as f64);
             }
         }
@@ -189,6 +208,16 @@ impl<'a> Comparison<'a> {
                 .map(|exact| variant.batch.errors(exact)),
         }
     }
+}
+
+/// How often to run a variant that fits so many times into a turn.
+#[allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "a positive number of moderate size"
+)]
+fn repetitions(fitting: f64) -> usize {
+    fitting.clamp(1.0, 1e9).ceil() as usize
 }
 
 /// The nanoseconds of one run, as the mean of so many.

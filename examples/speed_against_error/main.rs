@@ -12,6 +12,10 @@ use std::process::ExitCode;
 use harness::{Comparison, Effort};
 
 #[path = "../../tests/common/mod.rs"]
+#[allow(
+    unused_imports,
+    reason = "some serve the tests of the tools themselves"
+)]
 mod common;
 mod coons;
 #[path = "../../tests/coons/oracles/exact_patch.rs"]
@@ -24,11 +28,14 @@ mod report;
 #[path = "../../tests/coons/variants.rs"]
 mod variants;
 
+/// What is done with a comparison.
+type Visitor<'a> = dyn FnMut(Comparison<'_>) + 'a;
+
 /// A chapter with variants to compare.
 struct Chapter {
     name: &'static str,
     /// Hands each of its comparisons to the visitor, one after the other.
-    visit: fn(Effort, &mut dyn FnMut(Comparison<'_>)),
+    visit: fn(Effort, &mut Visitor<'_>),
 }
 
 const CHAPTERS: &[Chapter] = &[Chapter {

@@ -9,15 +9,15 @@ use crate::algebra::VectorSpace;
 use crate::curve::Curve;
 use crate::surface::Surface;
 
-// ANCHOR: bicubic_point
 /// The point `S(u, v)` of the bicubically blended Coons patch: as the bilinear one, with Hermite's cubics in the place of
 /// `1 − t` and `t`.
 ///
 /// # Accuracy
 ///
-/// For `0 <= u, v <= 1`, each coordinate is within `40u·M`, `M` the largest coordinate of the curve points and corner
-/// vectors that enter (tested as `bicubic_error_stays_below_its_bound`). On an edge whose data fit exactly, the point
-/// equals the boundary curve's.
+/// For `0 <= u, v <= 1`, each coordinate is within `u (40 M₀ + 13 M₁ + 2 M₂)` of the exact patch of the computed data:
+/// `M₀` the largest value of that coordinate among the points of the edges and the corners, `M₁` among the slopes, `M₂`
+/// among the twists (tested as `bicubic_error_stays_below_its_bound`). On an edge whose data fit exactly, the point equals
+/// the boundary curve's.
 ///
 /// # Cost
 ///
@@ -31,6 +31,7 @@ use crate::surface::Surface;
 /// # Source
 ///
 /// Farin 2002, section 22.3; Gregory 1974.
+// ANCHOR: bicubic_point
 pub fn bicubic_point<C: Curve>(data: &HermiteBoundary<C>, u: C::Scalar, v: C::Scalar) -> C::Point {
     let boundary = data.boundary();
     let [in_u, in_v] = [hermite_basis(u), hermite_basis(v)];

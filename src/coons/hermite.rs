@@ -4,7 +4,6 @@ use super::boundary::{Boundary, CoonsError, Corner, Corners, Named, check_domain
 use crate::algebra::{Scalar, VectorSpace};
 use crate::curve::Curve;
 
-// ANCHOR: hermite_basis
 /// Hermite's four cubics at `t`, each of which carries one datum: the value at 0, the slope at 0, the slope at 1, the
 /// value at 1.
 ///
@@ -19,6 +18,7 @@ use crate::curve::Curve;
 /// # Source
 ///
 /// Farin 2002, section 7.5.
+// ANCHOR: hermite_basis
 pub fn hermite_basis<S: Scalar>(t: S) -> [S; 4] {
     let [one, two, three] = [1, 2, 3].map(S::from_i32);
     let s = one - t;
@@ -189,10 +189,10 @@ impl<C: Curve> HermiteBoundary<C> {
         &self.cross.q2_u
     }
 
-    // ANCHOR: corner_vectors
     /// The 16 vectors at the corners, as the point `(u, v)` sees them: where the two families give different twists
     /// `p` and `q`, it sees their mean `(x q + y p) / (x + y)`, with its distances `x` and `y` from the corner in u
     /// and in v. On an edge along u that is `q`, on an edge along v it is `p`.
+    // ANCHOR: corner_vectors
     pub fn corner_vectors(&self, u: C::Scalar, v: C::Scalar) -> [[C::Point; 4]; 4] {
         let [far_u, far_v] = [u, v].map(|t| C::Scalar::from_i32(1) - t);
         let [p, q] = [self.twists_from_p, self.twists_from_q];
@@ -232,8 +232,8 @@ impl<C: Curve> HermiteBoundary<C> {
     }
 }
 
-// ANCHOR: gregory_twist
 /// `(x q + y p) / (x + y)`; `q` where they agree, and at the corner itself, where the twist has no weight.
+// ANCHOR: gregory_twist
 fn gregory_twist<P: VectorSpace>(p: P, q: P, x: P::Scalar, y: P::Scalar) -> P {
     let whole = x + y;
     if p == q || whole == P::Scalar::from_i32(0) {

@@ -160,6 +160,7 @@ impl<P: VectorSpace> Mesh<P> {
     /// # Source
     ///
     /// Max 1999, section 1: the plain sum of the triangles' vector products.
+    // ANCHOR: vertex_normals
     pub fn vertex_normals(&self) -> Vec<P>
     where
         P: Vector3,
@@ -178,6 +179,7 @@ impl<P: VectorSpace> Mesh<P> {
             .map(|sum| unit_vector(sum).unwrap_or_else(P::origin))
             .collect()
     }
+    // ANCHOR_END: vertex_normals
 
     /// The longest coordinate difference between the first vertex and another: a length by which products of differences
     /// may be scaled so that they neither overflow nor underflow; 1 for a mesh without extent.
