@@ -18,7 +18,8 @@
 //!
 //! # Numerics
 //!
-//! Nothing here fuses a multiplication with an addition, so the bits are the same on every processor.
+//! Nothing here fuses a multiplication with an addition, so the bits are the same on every processor. Every error bound of the
+//! library supposes that nothing overflows, and that what is rounded is not denormal.
 //!
 //! *In the book*: [Numbers and points](../../../ground_floor.html).
 

@@ -1,7 +1,7 @@
 //! Facette: a companion to a course on computer graphics, chapter by chapter.
 //!
 //! One module is one chapter of the course; the book, the example, the tests and the snapshots of a chapter bear its
-//! name. Modules are listed in reading order, and imports point down only.
+//! name. The table lists them in reading order; imports point down only.
 //!
 //! | floor | modules |
 //! | --- | --- |

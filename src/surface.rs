@@ -31,8 +31,8 @@ pub trait Surface {
     /// The partial derivatives `[S_u, S_v]`, where they are known.
     fn partials(&self, u: Self::Scalar, v: Self::Scalar) -> Option<[Self::Point; 2]>;
 
-    /// A normal at the point, of any length: `S_u × S_v`, or its limit from inside where a side is collapsed to a point.
-    /// `None` where the derivatives are not known or there is no such limit.
+    /// A normal at the point, of any length: `S_u × S_v`. `None` where the derivatives are not known, or are zero or parallel; a
+    /// surface that knows the limit at such a point may give it.
     fn normal_vector(&self, u: Self::Scalar, v: Self::Scalar) -> Option<Self::Point>
     where
         Self::Point: Vector3,

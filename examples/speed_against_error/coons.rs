@@ -251,10 +251,15 @@ fn cubics(scenes: &Scenes) -> Comparison<'_> {
         lazily(|| exact::edge_points(f32)),
     ];
     let [first, second] = [edge_curves(f64), edge_curves(f64)];
+    let looped = f64.each(edge_curves(f64), |curve, u, _| {
+        let control_points = curve.control_points();
+        [variants::looped_de_casteljau(control_points, u)]
+    });
     let [third, fourth] = [edge_curves(f32), edge_curves(f32)];
     scenes
         .compare("cubic point")
         .variant(["de Casteljau", "f64"], &wide, de_casteljau(f64, first))
+        .variant(["de Casteljau in loops", "f64"], &wide, looped)
         .variant(["Horner", "f64"], &wide, horner(f64, &second))
         .variant(["de Casteljau", "f32"], &narrow, de_casteljau(f32, third))
         .variant(["Horner", "f32"], &narrow, horner(f32, &fourth))

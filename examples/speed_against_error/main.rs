@@ -18,9 +18,9 @@ use harness::{Comparison, Effort};
 )]
 mod common;
 mod coons;
-#[path = "../../tests/coons/oracles/exact_patch.rs"]
+#[path = "../../tests/coons/error_theorems/exact_patch.rs"]
 mod exact_patch;
-#[path = "../../tests/coons/oracles/float_inputs.rs"]
+#[path = "../../tests/coons/error_theorems/float_inputs.rs"]
 #[allow(dead_code, reason = "the generators serve the tests")]
 mod float_inputs;
 mod harness;
@@ -44,8 +44,8 @@ const CHAPTERS: &[Chapter] = &[Chapter {
 }];
 
 const FULL: Effort = Effort {
-    rounds: 31,
-    turn: 4e6,
+    rounds: 501,
+    turn: 2e5,
     points: 256,
 };
 

@@ -3,7 +3,6 @@
 use num_traits::{One, Zero};
 
 use super::bilinear::boolean_sum;
-use super::boundary::Corners;
 use super::hermite::{HermiteBoundary, hermite_basis, hermite_basis_derivative};
 use crate::algebra::VectorSpace;
 use crate::curve::Curve;
@@ -25,8 +24,8 @@ use crate::surface::Surface;
 ///
 /// # Edge cases
 ///
-/// Outside `[0, 1]` the formula extrapolates; with incompatible twists it has no value where the distances from a corner
-/// cancel (`u + v = 0`).
+/// Outside `[0, 1]` the formula extrapolates; with incompatible twists it is singular where the distances from a corner
+/// cancel (`u + v = 0`), and takes the twist of `Q1` or `Q2` there.
 ///
 /// # Source
 ///
@@ -80,9 +79,9 @@ pub fn bicubic_partials<C: Curve>(
     let [in_u, in_v] = [hermite_basis(u), hermite_basis(v)];
     let [slope_u, slope_v] = [hermite_basis_derivative(u), hermite_basis_derivative(v)];
     let vectors = data.corner_vectors(u, v);
-    let [turn_u, turn_v] = data.twist_derivatives(u, v);
-    let s3_u = tensor_product(slope_u, vectors, in_v).plus(twist_term(in_u, turn_u, in_v));
-    let s3_v = tensor_product(in_u, vectors, slope_v).plus(twist_term(in_u, turn_v, in_v));
+    let [turn_u, turn_v] = data.turning_twists(u, v);
+    let s3_u = tensor_product(slope_u, vectors, in_v).plus(turn_u);
+    let s3_v = tensor_product(in_u, vectors, slope_v).plus(turn_v);
     let s_u = boolean_sum(
         C::Point::combination(in_v, derivatives(along_u, u)?),
         C::Point::combination(slope_u, along_v.map(|curve| curve.point(v))),
@@ -100,18 +99,6 @@ pub fn bicubic_partials<C: Curve>(
 fn derivatives<C: Curve>(curves: [&C; 4], t: C::Scalar) -> Option<[C::Point; 4]> {
     let [first, second, third, fourth] = curves.map(|curve| curve.derivative(t));
     Some([first?, second?, third?, fourth?])
-}
-
-/// What the four twists alone add to the tensor product.
-fn twist_term<P: VectorSpace>(in_u: [P::Scalar; 4], twists: Corners<P>, in_v: [P::Scalar; 4]) -> P {
-    let Corners { a, b, c, d } = twists;
-    let weights = [
-        in_u[1] * in_v[1],
-        in_u[2] * in_v[1],
-        in_u[2] * in_v[2],
-        in_u[1] * in_v[2],
-    ];
-    P::combination(weights, [a, b, c, d])
 }
 
 /// The bicubically blended Coons patch of a boundary with slopes.

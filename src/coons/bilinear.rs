@@ -41,7 +41,7 @@ pub fn ruled_surfaces<C: Curve>(
 ///
 /// # Edge cases
 ///
-/// Outside `[0, 1]` the formula extrapolates; NaN gives NaN.
+/// Outside `[0, 1]` the formula extrapolates; NaN gives NaN. Where the sum of two coordinates overflows, the result is NaN.
 #[inline]
 // ANCHOR: bilinear_point
 pub fn bilinear_point<C: Curve>(boundary: &Boundary<C>, u: C::Scalar, v: C::Scalar) -> C::Point {
@@ -101,7 +101,7 @@ pub fn bilinear_partials<C: Curve>(
 // ANCHOR_END: bilinear_partials
 
 /// The mixed derivative, or twist, `S_uv` of the bilinear Coons patch; `None` where a curve's derivative is not known.
-pub fn bilinear_mixed_partial<C: Curve>(
+fn bilinear_mixed_partial<C: Curve>(
     boundary: &Boundary<C>,
     u: C::Scalar,
     v: C::Scalar,
@@ -167,8 +167,8 @@ impl<C: Curve> CoonsPatch<C> {
 
 /// The tangent of the edge curve on which `across` puts the point, at the parameter `along`; `None` off both edges.
 ///
-/// Next to the edge at `across = 0` the tangent is `C'(along) + across · mixed`: where the first term is not more than
-/// rounding beside the second, the second gives the direction; at `across = 1` it comes from the other side.
+/// Next to a side that is collapsed to a point at `across = 0`, the tangent is `across · mixed`, which gives the direction;
+/// at `across = 1` it comes from the other side.
 fn edge_tangent<C: Curve>(
     across: C::Scalar,
     along: C::Scalar,
@@ -183,9 +183,21 @@ fn edge_tangent<C: Curve>(
         return None;
     };
     let tangent = edge.derivative(along)?;
-    let rounding = C::Scalar::from_i32(ROUNDOFFS_OF_A_GAP) * C::Scalar::unit_roundoff();
-    let vanishes = tangent.largest_coordinate() <= rounding * mixed.largest_coordinate();
-    Some(if vanishes { inward } else { tangent })
+    Some(if is_collapsed(edge, tangent, mixed) {
+        inward
+    } else {
+        tangent
+    })
+}
+
+/// Whether a side is one point: the derivatives at both ends, in the middle and at the place in question are not more than
+/// rounding beside the mixed derivative. One of them alone may vanish on a curve too, where it has a cusp or stands still.
+fn is_collapsed<C: Curve>(edge: &C, tangent: C::Point, mixed: C::Point) -> bool {
+    let roundoff = C::Scalar::from_i32(ROUNDOFFS_OF_A_GAP) * C::Scalar::unit_roundoff();
+    let allowed = roundoff * mixed.largest_coordinate();
+    let vanishes = |tangent: C::Point| tangent.largest_coordinate() <= allowed;
+    let elsewhere = [0, 1, 2].map(|halves| edge.derivative(C::Scalar::ratio(halves, 2)));
+    vanishes(tangent) && elsewhere.into_iter().flatten().all(vanishes)
 }
 
 impl<C: Curve> Surface for CoonsPatch<C> {
@@ -204,6 +216,12 @@ impl<C: Curve> Surface for CoonsPatch<C> {
         bilinear_partials(&self.boundary, u, v)
     }
 
+    /// As [`Surface::normal_vector`]; on a side that is collapsed to a point, the limit from inside.
+    ///
+    /// # Accuracy
+    ///
+    /// The tangents carry the error of [`bilinear_partials`]; where one of them is hardly larger, as very near to a collapsed
+    /// side, the direction is as uncertain as that.
     fn normal_vector(&self, u: C::Scalar, v: C::Scalar) -> Option<C::Point>
     where
         C::Point: Vector3,

@@ -9,9 +9,10 @@ use crate::curve::Curve;
 
 /// So many unit roundoffs of the largest coordinate may lie between two curves that count as meeting.
 ///
-/// Each of the two end points may come from an evaluation of degree up to 10, whose error is at most 3·10 unit
-/// roundoffs of its data ([`BezierCurve`](crate::curve::BezierCurve)), or from a sine or cosine with less: 2 · 3·10,
-/// rounded up to a power of two so that the product is exact.
+/// A Bézier curve ends exactly on its control points; an end that is computed, as by a closure with sines and products of
+/// the size of the result, may be off by the roundoffs of some thirty operations. Two such ends: 60, rounded up to a power
+/// of two so that the product with a roundoff is exact. Where more has been lost, the caller knows how much, and says so
+/// ([`Boundary::with_tolerance`]).
 pub(super) const ROUNDOFFS_OF_A_GAP: i32 = 64;
 
 /// A corner of a patch.
@@ -108,12 +109,15 @@ pub(super) type Named<P> = (&'static str, P);
 pub(super) type Meeting<P> = (Corner, Named<P>, Named<P>);
 
 /// Checks that all values are finite and that those of each meeting agree within the tolerance; by default
-/// [`ROUNDOFFS_OF_A_GAP`] roundoffs of the largest coordinate of them all.
+/// [`ROUNDOFFS_OF_A_GAP`] roundoffs of the largest coordinate of them all, and of the data from which they come.
 pub(super) fn check_meetings<P: VectorSpace>(
     meetings: &[Meeting<P>],
+    data: &[P],
     tolerance: Option<P::Scalar>,
 ) -> Result<(), CoonsError<P>> {
-    let mut largest = P::Scalar::from_i32(0);
+    let larger = |a: P::Scalar, b: P::Scalar| if b > a { b } else { a };
+    let sizes = data.iter().map(|vector| vector.largest_coordinate());
+    let mut largest = sizes.fold(P::Scalar::from_i32(0), larger);
     for &(what, value) in meetings
         .iter()
         .flat_map(|(_, first, second)| [first, second])
@@ -121,8 +125,7 @@ pub(super) fn check_meetings<P: VectorSpace>(
         if !value.has_finite_coordinates() {
             return Err(CoonsError::NotFinite { what, value });
         }
-        let size = value.largest_coordinate();
-        largest = if size > largest { size } else { largest };
+        largest = larger(largest, value.largest_coordinate());
     }
     let allowed = P::Scalar::from_i32(ROUNDOFFS_OF_A_GAP) * P::Scalar::unit_roundoff() * largest;
     let tolerance = tolerance.unwrap_or(allowed);
@@ -219,7 +222,7 @@ impl<C: Curve> Boundary<C> {
             (Corner::C, ("P2(1)", c), ("Q2(1)", q2_end)),
             (Corner::D, ("P2(0)", d), ("Q1(1)", q1_end)),
         ];
-        check_meetings(&meetings, tolerance)?;
+        check_meetings(&meetings, &[], tolerance)?;
         Ok(Self {
             p1,
             p2,

@@ -86,8 +86,7 @@ impl<C: Curve> HermiteBoundary<C> {
     /// # Errors
     ///
     /// [`CoonsError::DoNotMeet`] where a cross derivative does not begin with the edge's derivative, or where its own
-    /// derivative is not the twist (the tolerance is 64 unit roundoffs of the largest coordinate of all derivatives at
-    /// the corners); [`CoonsError::DerivativeUnknown`], [`CoonsError::DomainIsNotUnit`] and [`CoonsError::NotFinite`] as
+    /// derivative is not the twist (the tolerance is 64 unit roundoffs of the largest coordinate of all corner vectors); [`CoonsError::DerivativeUnknown`], [`CoonsError::DomainIsNotUnit`] and [`CoonsError::NotFinite`] as
     /// they say.
     pub fn new(
         boundary: Boundary<C>,
@@ -107,7 +106,7 @@ impl<C: Curve> HermiteBoundary<C> {
             (Corner::D, ("the twist", d), ("p2_v'(0)", p.d)),
             (Corner::D, ("the twist", d), ("q1_u'(1)", q.d)),
         ];
-        check_meetings(&meetings, None)?;
+        check_meetings(&meetings, data.vectors.as_flattened(), None)?;
         data.twists_from_p = twists;
         data.twists_from_q = twists;
         Ok(data)
@@ -142,9 +141,9 @@ impl<C: Curve> HermiteBoundary<C> {
         for (name, curve) in named {
             check_domain(name, curve)?;
         }
-        check_tangents(&boundary, &cross)?;
-        let [[p_a, p_b], [p_d, p_c], [q_a, q_d], [q_b, q_c]] = end_derivatives(named)?;
         let vectors = known_vectors(&boundary, &cross);
+        check_tangents(&boundary, &cross, &vectors)?;
+        let [[p_a, p_b], [p_d, p_c], [q_a, q_d], [q_b, q_c]] = end_derivatives(named)?;
         Ok(Self {
             boundary,
             cross,
@@ -205,29 +204,23 @@ impl<C: Curve> HermiteBoundary<C> {
     }
     // ANCHOR_END: corner_vectors
 
-    /// How the four twists change with u and with v at `(u, v)`: `[∂/∂u, ∂/∂v]` in the places that they have among the
-    /// corner vectors; zero everywhere where the twists are compatible.
-    pub(super) fn twist_derivatives(&self, u: C::Scalar, v: C::Scalar) -> [Corners<C::Point>; 2] {
-        let [far_u, far_v] = [u, v].map(|t| C::Scalar::from_i32(1) - t);
+    /// What the change of the twists with u and with v adds to the derivatives of `S₃`; zero where they are compatible.
+    pub(super) fn turning_twists(&self, u: C::Scalar, v: C::Scalar) -> [C::Point; 2] {
+        let one = C::Scalar::from_i32(1);
+        let [far_u, far_v] = [one - u, one - v];
+        let [in_u, in_v] = [hermite_basis(u), hermite_basis(v)];
         let [p, q] = [self.twists_from_p, self.twists_from_q];
-        let negated = |vector: C::Point| C::Point::origin().minus(vector);
-        let [a_u, a_v] = gregory_twist_derivatives(p.a, q.a, u, v);
-        let [b_u, b_v] = gregory_twist_derivatives(p.b, q.b, far_u, v);
-        let [c_u, c_v] = gregory_twist_derivatives(p.c, q.c, far_u, far_v);
-        let [d_u, d_v] = gregory_twist_derivatives(p.d, q.d, u, far_v);
+        let corners = [
+            turning_twist(p.a, q.a, [u, v], in_u[1] * in_v[1]),
+            turning_twist(p.b, q.b, [far_u, v], in_u[2] * in_v[1]),
+            turning_twist(p.c, q.c, [far_u, far_v], in_u[2] * in_v[2]),
+            turning_twist(p.d, q.d, [u, far_v], in_u[1] * in_v[2]),
+        ];
+        // Seen from B and C, u grows towards the corner; seen from C and D, v does.
+        let [with_u, with_v] = [[one, -one, -one, one], [one, one, -one, -one]];
         [
-            Corners {
-                a: a_u,
-                b: negated(b_u),
-                c: negated(c_u),
-                d: d_u,
-            },
-            Corners {
-                a: a_v,
-                b: b_v,
-                c: negated(c_v),
-                d: negated(d_v),
-            },
+            C::Point::combination(with_u, corners.map(|[in_x, _]| in_x)),
+            C::Point::combination(with_v, corners.map(|[_, in_y]| in_y)),
         ]
     }
 }
@@ -243,16 +236,19 @@ fn gregory_twist<P: VectorSpace>(p: P, q: P, x: P::Scalar, y: P::Scalar) -> P {
 }
 // ANCHOR_END: gregory_twist
 
-/// The derivatives of [`gregory_twist`] in x and in y: `y (q − p) / (x + y)²` and `x (p − q) / (x + y)²`.
-fn gregory_twist_derivatives<P: VectorSpace>(p: P, q: P, x: P::Scalar, y: P::Scalar) -> [P; 2] {
+/// The derivatives of [`gregory_twist`] in x and in y, `y (q − p) / (x + y)²` and `x (p − q) / (x + y)²`, times its weight.
+///
+/// The weight is not larger than x or y: divided first, it keeps the reciprocals of tiny distances from overflowing.
+fn turning_twist<P: VectorSpace>(p: P, q: P, [x, y]: [P::Scalar; 2], weight: P::Scalar) -> [P; 2] {
     let whole = x + y;
     if p == q || whole == P::Scalar::from_i32(0) {
         return [P::origin(); 2];
     }
     let change = q.minus(p);
+    let share = weight / whole;
     [
-        change.times(y / whole / whole),
-        change.times(-(x / whole / whole)),
+        change.times(share * (y / whole)),
+        change.times(-(share * (x / whole))),
     ]
 }
 
@@ -279,6 +275,7 @@ fn end_derivatives<C: Curve>(
 fn check_tangents<C: Curve>(
     boundary: &Boundary<C>,
     cross: &CrossDerivatives<C>,
+    vectors: &[[C::Point; 4]; 4],
 ) -> Result<(), CoonsError<C::Point>> {
     let [[p1_a, p1_b], [p2_d, p2_c], [q1_a, q1_d], [q2_b, q2_c]] = end_derivatives([
         ("P1", boundary.p1()),
@@ -299,7 +296,7 @@ fn check_tangents<C: Curve>(
         (Corner::B, start("q2_u(0)", &cross.q2_u), ("P1'(1)", p1_b)),
         (Corner::C, end("q2_u(1)", &cross.q2_u), ("P2'(1)", p2_c)),
     ];
-    check_meetings(&meetings, None)
+    check_meetings(&meetings, vectors.as_flattened(), None)
 }
 
 /// The 12 corner vectors that are no twists, with zeros in the places of the four twists.

@@ -25,8 +25,9 @@
 //!
 //! # Sources
 //!
-//! S. A. Coons, *Surfaces for Computer-Aided Design of Space Forms*, 1967; G. Farin, *Curves and Surfaces for CAGD*, 5th
-//! edition, chapter 22; J. A. Gregory, *Smooth interpolation without twist constraints*, 1974.
+//! S. A. Coons, *Surfaces for Computer-Aided Design of Space Forms*, 1967; J. C. Ferguson, *Multivariable curve
+//! interpolation*, 1964; J. A. Gregory, *Smooth interpolation without twist constraints*, 1974; G. Farin, *Curves and
+//! Surfaces for CAGD*, 5th edition, 2002, chapter 22.
 //!
 //! *In the course*: slides 8 to 12, "Patches de Coons" (*surface réglée*, *vecteur torsion*).
 //!
@@ -39,9 +40,7 @@ mod ferguson;
 mod hermite;
 
 pub use bicubic::{BicubicPatch, bicubic_partials, bicubic_point};
-pub use bilinear::{
-    CoonsPatch, bilinear_mixed_partial, bilinear_partials, bilinear_point, ruled_surfaces,
-};
+pub use bilinear::{CoonsPatch, bilinear_partials, bilinear_point, ruled_surfaces};
 pub use boundary::{Boundary, CoonsError, Corner, Corners};
 pub use ferguson::FergusonPatch;
 pub use hermite::{

@@ -28,7 +28,7 @@ pub use obj::{Element, Obj, ObjError};
 pub use tessellate::tessellate_uniformly;
 pub use write_obj::write_obj;
 
-use crate::algebra::{Real, Vector3, VectorSpace, divided, unit_vector};
+use crate::algebra::{Real, Scalar, Vector3, VectorSpace, divided, unit_vector};
 
 /// What is wrong with the data of a mesh.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
@@ -166,13 +166,13 @@ impl<P: VectorSpace> Mesh<P> {
         P: Vector3,
         P::Scalar: Real,
     {
-        let scale = self.size();
+        let scales = self.edge_lengths();
         let mut sums = vec![P::origin(); self.positions.len()];
         for triangle in self.triangles() {
-            let [a, b, c] = triangle.map(|vertex| self.positions[vertex as usize]);
-            let normal = divided(b.minus(a), scale).cross(divided(c.minus(a), scale));
-            for vertex in triangle {
-                sums[vertex as usize] = sums[vertex as usize].plus(normal);
+            let [a, b, c] = triangle.map(|vertex| self.halved(vertex));
+            for vertex in triangle.map(|vertex| vertex as usize) {
+                let side = |end: P| divided(end.minus(a), scales[vertex]);
+                sums[vertex] = sums[vertex].plus(side(b).cross(side(c)));
             }
         }
         sums.into_iter()
@@ -181,21 +181,34 @@ impl<P: VectorSpace> Mesh<P> {
     }
     // ANCHOR_END: vertex_normals
 
-    /// The longest coordinate difference between the first vertex and another: a length by which products of differences
-    /// may be scaled so that they neither overflow nor underflow; 1 for a mesh without extent.
-    fn size(&self) -> P::Scalar
+    /// Half the longest coordinate difference along the triangles at each vertex: what is divided by it has products that
+    /// neither overflow nor, where they count, underflow. 1 for a vertex without extent around it.
+    fn edge_lengths(&self) -> Vec<P::Scalar>
     where
         P::Scalar: Real,
     {
-        let mut size = P::Scalar::zero();
-        for position in &self.positions {
-            let distance = position.minus(self.positions[0]).largest_coordinate();
-            size = if distance > size { distance } else { size };
+        let mut lengths = vec![P::Scalar::zero(); self.positions.len()];
+        for triangle in self.triangles() {
+            let [a, b, c] = triangle.map(|vertex| self.halved(vertex));
+            for side in [b.minus(a), c.minus(a)] {
+                let length = side.largest_coordinate();
+                for vertex in triangle.map(|vertex| vertex as usize) {
+                    lengths[vertex] = if length > lengths[vertex] {
+                        length
+                    } else {
+                        lengths[vertex]
+                    };
+                }
+            }
         }
-        if size.is_zero() {
-            P::Scalar::one()
-        } else {
-            size
-        }
+        lengths
+            .into_iter()
+            .map(|l| if l.is_zero() { P::Scalar::one() } else { l })
+            .collect()
+    }
+
+    /// Half the position of a vertex: differences of halves do not overflow.
+    fn halved(&self, vertex: u32) -> P {
+        self.positions[vertex as usize].times(P::Scalar::ratio(1, 2))
     }
 }

@@ -37,8 +37,16 @@ pub enum ObjError {
         /// The statement without its comment, shortened.
         statement: String,
     },
+    /// A name would not survive in a file.
+    #[error("the name {name:?} of an object must be one line without #, and not end in \\")]
+    Name {
+        /// The name.
+        name: String,
+    },
     /// The file has no vertices.
-    #[error("{file}: there is no vertex in it (a line \"v x y z\")")]
+    #[error(
+        "{file}: there is no vertex in it (a line \"v x y z\"): is it an OBJ file, in plain text?"
+    )]
     Empty {
         /// The file's name.
         file: String,
@@ -146,7 +154,7 @@ impl Obj {
         let mut object = "";
         for statement in &statements {
             if let "o" | "g" = statement.keyword() {
-                object = statement.text[1..].trim();
+                object = statement.text.trim_start()[1..].trim();
             }
             if statement.is_element() {
                 let arity = arities.next().map_or(3, |&arity| arity as usize);
@@ -229,11 +237,14 @@ impl Obj {
 
 /// The statements of a file that say something about geometry, cleaned for `tobj`.
 fn statements(text: &str) -> Vec<Statement> {
-    let text = text.trim_start_matches('\u{feff}');
+    let text = text
+        .trim_start_matches('\u{feff}')
+        .replace("\r\n", "\n")
+        .replace('\r', "\n");
     let mut statements: Vec<Statement> = Vec::new();
     let mut continues = false;
     for (index, raw) in text.lines().enumerate() {
-        let uncommented = raw.split('#').next().unwrap_or_default().trim();
+        let uncommented = without_comment(raw).trim();
         let (part, goes_on) = match uncommented.strip_suffix('\\') {
             Some(part) => (part, true),
             None => (uncommented, false),
@@ -252,6 +263,19 @@ fn statements(text: &str) -> Vec<Statement> {
     }
     statements.retain(|line| matches!(line.keyword(), "v" | "f" | "l" | "o" | "g"));
     statements
+}
+
+/// The line up to its comment: a `#` at the start of a word.
+fn without_comment(line: &str) -> &str {
+    let begins = |&(at, _): &(usize, &str)| {
+        line[..at]
+            .chars()
+            .next_back()
+            .is_none_or(char::is_whitespace)
+    };
+    line.match_indices('#')
+        .find(begins)
+        .map_or(line, |(at, _)| &line[..at])
 }
 
 /// What `tobj` is given for a statement: no colours, and of a face's corners the positions only. A corner without a position
@@ -326,7 +350,7 @@ fn blame(file: &str, statements: &[Statement], error: LoadError) -> ObjError {
     let what = match error {
         LoadError::FaceVertexOutOfBounds => {
             format!(
-                "a vertex number is out of range: the file has {count} vertices, counted from 1"
+                "a vertex number is out of range: the file has {count} vertices, counted from 1; negative numbers count back from the line"
             )
         }
         LoadError::FaceParseError => "expected vertex numbers, as 1 or 1/2/3".to_owned(),

@@ -14,7 +14,7 @@ use crate::surface::Surface;
 ///
 /// # Errors
 ///
-/// [`MeshError::UnusableGrid`] for a grid without cells or with more than 2³² vertices; [`MeshError::NotFinite`] where the
+/// [`MeshError::UnusableGrid`] for a grid without cells or with 2³² vertices or more; [`MeshError::NotFinite`] where the
 /// surface has no finite point.
 ///
 /// # Edge cases

@@ -16,12 +16,18 @@ use crate::algebra::Vector3;
 ///
 /// # Errors
 ///
-/// [`ObjError::File`] where the system refuses.
+/// [`ObjError::Name`] for a name that the file could not give back; [`ObjError::File`] where the system refuses.
 pub fn write_obj<P>(path: impl AsRef<Path>, name: &str, mesh: &Mesh<P>) -> Result<(), ObjError>
 where
     P: Vector3,
     P::Scalar: Display,
 {
+    let name = name.trim();
+    if name.contains(['\n', '\r', '#']) || name.ends_with('\\') {
+        return Err(ObjError::Name {
+            name: name.to_owned(),
+        });
+    }
     let path = path.as_ref();
     let mut unfinished = path.as_os_str().to_owned();
     unfinished.push(".unfinished");

@@ -313,7 +313,7 @@ type TwistedPlace = (Net, [Point; 2], Exact, Exact);
 
 fn twisted_places() -> impl Strategy<Value = TwistedPlace> {
     (
-        nets(3, 3),
+        nets(3, 4),
         [point(), point()],
         inside(parameter()),
         inside(parameter()),
@@ -322,7 +322,7 @@ fn twisted_places() -> impl Strategy<Value = TwistedPlace> {
 
 fn hard_twisted_places() -> impl Strategy<Value = TwistedPlace> {
     (
-        nets(3, 3),
+        nets(3, 4),
         [point(), point()],
         inside(hard_parameter()),
         inside(hard_parameter()),
@@ -333,8 +333,8 @@ fn hard_twisted_places() -> impl Strategy<Value = TwistedPlace> {
 ///
 /// $$\frac{u\,S_{uv}+v\,S_{vu}}{u+v}$$
 ///
-/// and likewise at the other corners. Then the patch carries all four curves and all four cross derivatives again: each edge meets its
-/// own twist.
+/// and likewise at the other corners, with $1-u$ for $u$ at $B$ and $C$, and $1-v$ for $v$ at $C$ and $D$. Then the patch carries all four curves and all
+/// four cross derivatives again: along each edge, $S_3$ holds the twist that the other family brings there, and takes away just what is too much.
 ///
 /// Course: A06, slide 12, Coons patches: four twist vectors.
 /// Exercise: bicubic.
@@ -362,8 +362,8 @@ fn gregory_patch_has_cross_derivatives_with_incompatible_twists() {
     );
 }
 
-/// **Partial derivatives of the blended patch.** They are those that dual numbers carry through its definition, with
-/// compatible twists and with Gregory's.
+/// **Partial derivatives of the blended patch.** The derivatives $S_u$ and $S_v$ of the blended patch are those that dual numbers carry through its
+/// definition, with compatible twists and with Gregory's.
 ///
 /// Course: A07, slide 12, Coons patches: continuity of the derivative along edges.
 #[test]
@@ -392,12 +392,12 @@ fn partials_agree(data: &ExactData, u: Exact, v: Exact) -> Verdict {
     expect_equal(&at_b, &got)
 }
 
-/// **Smooth neighbours.** Two bicubically blended patches that share an edge curve, the derivative across it and the twists at its ends
-/// join with a continuous derivative: at each point of the edge both have the same $S$, $S_u$ and $S_v$. The sharing is the
-/// condition; patches with the same curve and other slopes join without a gap only.
+/// **Smooth neighbours.** Two bicubically blended patches that share an edge curve and the derivative across it join with a continuous
+/// derivative: at each point of the edge both have the same $S$, $S_u$ and $S_v$. The twists at its ends are then shared as well, as the derivative of what is
+/// shared; with Gregory's correction the other twists do not matter. The sharing is the condition: patches with the same curve and other slopes join without a gap only.
 ///
 /// Course: A07, slide 12, Coons patches: continuity of the derivative along edges.
-/// Erratum: The slide says that the bicubic patch "allows continuity of the derivative along the edges". It does so on a condition: the neighbours must share the edge curve, the derivative across it and the twists at its ends.
+/// Erratum: The slide says that the bicubic patch "allows continuity of the derivative along the edges". It does so on a condition: the neighbours must share the edge curve and the derivative across it (and with it the twists at its ends).
 #[test]
 fn bicubic_patches_that_share_slopes_join_smoothly() {
     let name = "coons::bicubic_patches_that_share_slopes_join_smoothly";

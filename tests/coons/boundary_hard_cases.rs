@@ -1,18 +1,19 @@
 //! Boundaries that nearly meet, and boundaries that are none: what is accepted, what is refused, and how it is said.
 
-use crate::common::exact::{Exact, fraction};
-use crate::inputs::bezier;
 use facette::algebra::{Scalar, VectorSpace};
 use facette::coons::{
-    Boundary, CoonsError, Corner, CrossDerivatives, FergusonPatch, HermiteBoundary, bilinear_point,
+    Boundary, CoonsError, Corner, Corners, CrossDerivatives, FergusonPatch, HermiteBoundary,
+    bilinear_point,
 };
 use facette::curve::{BezierCurve, BoxedCurve, Curve, FunctionCurve};
 use num_traits::Zero;
 
+use crate::common::exact::{Exact, fraction};
 use crate::hard_cases::line;
+use crate::inputs::{Point, SurfaceData, bezier, surface_data, twists_of};
 
-/// **Ends that meet up to an ulp.** Curves that are evaluated on their own seldom agree in the last bit: $\cos$ and $\sin$ of the same
-/// angle, computed as $\cos\frac\pi2$ and as $0$, leave a gap of $6\cdot10^{-17}$. A boundary accepts gaps of 64 unit roundoffs of the largest
+/// **Ends that meet up to an ulp.** Curves that are evaluated on their own seldom agree in the last bit: the cosine of a
+/// right angle, once computed as $\cos\frac\pi2$ and once written as $0$, leaves a gap of $6\cdot10^{-17}$. A boundary accepts gaps of 64 unit roundoffs of the largest
 /// corner coordinate. The corners come from $P_1$ and $P_2$ alone, so that $Q_1$ and $Q_2$ are met exactly and $P_1$, $P_2$ up to the gap.
 #[test]
 fn ends_that_meet_up_to_an_ulp_are_accepted() {
@@ -85,28 +86,7 @@ fn given_tolerance_is_kept_to_the_bit() {
     assert!(!accepts(0.0, f64::NAN));
 }
 
-/// A line that takes seven units of the parameter.
-#[derive(Clone)]
-struct Longer(BezierCurve<[f64; 3]>);
-impl Curve for Longer {
-    type Scalar = f64;
-    type Point = [f64; 3];
-
-    fn domain(&self) -> [f64; 2] {
-        [0.0, 7.0]
-    }
-
-    fn point(&self, t: f64) -> [f64; 3] {
-        self.0.point(t / 7.0)
-    }
-
-    fn derivative(&self, _: f64) -> Option<[f64; 3]> {
-        None
-    }
-}
-
-/// **What is not finite is refused, and what is not over $[0,1]$.** A curve that ends at infinity or nowhere bounds nothing; the message names the
-/// end.
+/// **What is not finite is refused.** A curve that ends at infinity or nowhere bounds nothing; the message names the end.
 #[test]
 fn boundaries_of_unusable_curves_are_refused() {
     let bad: BoxedCurve<[f64; 3]> =
@@ -122,14 +102,6 @@ fn boundaries_of_unusable_curves_are_refused() {
         message,
         "P1(1) is [inf, 0.0, 0.0]: every coordinate must be finite"
     );
-
-    let longer = [(a, b), (d, c), (a, d), (b, c)].map(|(start, end)| Longer(line(start, end)));
-    let [p1, p2, q1, q2] = longer;
-    let refused = Boundary::new(p1, p2, q1, q2)
-        .err()
-        .map(|error| error.to_string());
-    let expected = "the curve P1 runs over [0.0, 7.0], where a patch needs [0, 1]";
-    assert_eq!(refused.as_deref(), Some(expected));
 }
 
 /// **Cross derivatives without a derivative.** Twists are read off the cross derivatives; a closure that does not know its own derivative cannot give them, and the error
@@ -178,7 +150,7 @@ fn ferguson_patch_refuses_what_is_not_finite() {
     ));
 }
 
-/// **Exact corners.** Over a field the default tolerance is zero: the smallest gap is refused, with its corner.
+/// **Exact corners.** Over the fractions the default tolerance is zero: the smallest gap is refused, with its corner.
 #[test]
 fn exact_boundaries_have_no_tolerance() {
     let [zero, one] = [Exact::zero(), Exact::from_i32(1)];
@@ -194,4 +166,149 @@ fn exact_boundaries_have_no_tolerance() {
             ..
         })
     ));
+}
+
+/// **Every corner is checked.** Whatever end of a cross derivative is moved, the refusal names it and its corner; and so for the twist at every corner.
+#[test]
+fn data_that_do_not_fit_are_refused_at_every_corner() {
+    let net: Vec<Vec<_>> = (0..4)
+        .map(|i| {
+            (0..4)
+                .map(|j| [fraction(i, 1), fraction(j, 1), fraction(i * j * j, 2)])
+                .collect()
+        })
+        .collect();
+    let moved = |curve: &BezierCurve<Point>, at_end: bool| {
+        let mut points = curve.control_points().to_vec();
+        let place = if at_end { points.len() - 1 } else { 0 };
+        points[place][2] = points[place][2] + fraction(1, 9);
+        bezier(&points)
+    };
+    let refusal = |which: usize, at_end: bool| {
+        let SurfaceData {
+            edges: [p1, p2, q1, q2],
+            mut cross,
+        } = surface_data(&net);
+        let curves = [
+            &mut cross.p1_v,
+            &mut cross.p2_v,
+            &mut cross.q1_u,
+            &mut cross.q2_u,
+        ];
+        let curve = curves.into_iter().nth(which).expect("one of four");
+        *curve = moved(curve, at_end);
+        let boundary = Boundary::new(p1, p2, q1, q2).expect("a surface's edges meet");
+        match HermiteBoundary::gregory(boundary, cross) {
+            Err(CoonsError::DoNotMeet {
+                corner, first, gap, ..
+            }) => Some((corner, first, gap)),
+            _ => None,
+        }
+    };
+    let expected = [
+        [(Corner::A, "p1_v(0)"), (Corner::B, "p1_v(1)")],
+        [(Corner::D, "p2_v(0)"), (Corner::C, "p2_v(1)")],
+        [(Corner::A, "q1_u(0)"), (Corner::D, "q1_u(1)")],
+        [(Corner::B, "q2_u(0)"), (Corner::C, "q2_u(1)")],
+    ];
+    for (which, ends) in expected.into_iter().enumerate() {
+        for ((corner, name), at_end) in ends.into_iter().zip([false, true]) {
+            assert_eq!(refusal(which, at_end), Some((corner, name, fraction(1, 9))));
+        }
+    }
+    for corner in [Corner::A, Corner::B, Corner::C, Corner::D] {
+        let mut twists = twists_of(&net);
+        let Corners { a, b, c, d } = &mut twists;
+        let twist = match corner {
+            Corner::A => a,
+            Corner::B => b,
+            Corner::C => c,
+            Corner::D => d,
+        };
+        twist[0] = twist[0] + fraction(2, 7);
+        let SurfaceData {
+            edges: [p1, p2, q1, q2],
+            cross,
+        } = surface_data(&net);
+        let boundary = Boundary::new(p1, p2, q1, q2).expect("a surface's edges meet");
+        let refused = HermiteBoundary::new(boundary, cross, twists).err();
+        let found = match refused {
+            Some(CoonsError::DoNotMeet { corner, .. }) => Some(corner),
+            _ => None,
+        };
+        assert_eq!(found, Some(corner));
+    }
+}
+
+/// **Only over $[0,1]$.** A curve over another interval is refused by its name, whichever end differs, be it an edge or a cross derivative.
+#[test]
+fn curves_over_other_intervals_are_refused_by_name() {
+    struct Over(BezierCurve<[f64; 3]>, [f64; 2]);
+    impl Curve for Over {
+        type Scalar = f64;
+        type Point = [f64; 3];
+
+        fn domain(&self) -> [f64; 2] {
+            self.1
+        }
+
+        fn point(&self, t: f64) -> [f64; 3] {
+            self.0.point(t)
+        }
+
+        fn derivative(&self, t: f64) -> Option<[f64; 3]> {
+            self.0.derivative(t)
+        }
+    }
+    let [a, b, c, d] = [[0., 0., 0.], [1., 0., 0.], [1., 1., 0.], [0., 1., 0.]];
+    let [in_u, in_v] = [[1., 0., 0.], [0., 1., 0.]];
+    let names = ["P1", "P2", "Q1", "Q2", "p1_v", "p2_v", "q1_u", "q2_u"];
+    let ends = [
+        (a, b),
+        (d, c),
+        (a, d),
+        (b, c),
+        (in_v, in_v),
+        (in_v, in_v),
+        (in_u, in_u),
+        (in_u, in_u),
+    ];
+    for domain in [[0.0, 7.0], [-1.0, 1.0], [0.5, 1.0]] {
+        for (wrong, name) in names.into_iter().enumerate() {
+            let curve = |index: usize| {
+                let (start, end) = ends[index];
+                Over(
+                    line(start, end),
+                    if index == wrong { domain } else { [0.0, 1.0] },
+                )
+            };
+            let cross = CrossDerivatives {
+                p1_v: curve(4),
+                p2_v: curve(5),
+                q1_u: curve(6),
+                q2_u: curve(7),
+            };
+            let refused = Boundary::new(curve(0), curve(1), curve(2), curve(3))
+                .and_then(|boundary| HermiteBoundary::gregory(boundary, cross))
+                .err();
+            let [start, end] = domain;
+            assert_eq!(
+                refused,
+                Some(CoonsError::DomainIsNotUnit {
+                    curve: name,
+                    start,
+                    end
+                })
+            );
+        }
+    }
+}
+
+/// **The largest corner counts.** The tolerance follows the largest coordinate of all corners, wherever it is: one far corner lets a rounding gap of its size pass.
+#[test]
+fn tolerance_follows_the_farthest_corner() {
+    let [b, c, d] = [[1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]];
+    let ulp_at_1e8 = 2.0_f64.powi(-26);
+    let [a, parted] = [[1e8, 0.0, 0.0], [1e8 + ulp_at_1e8, 0.0, 0.0]];
+    assert!(Boundary::new(line(a, b), line(d, c), line(parted, d), line(b, c)).is_ok());
 }

@@ -49,7 +49,7 @@ fn short_lerp_loses_the_lower_arch() {
 }
 
 /// **Sums that miss the edge.** Added from the left, $S_1+S_2-S_3$ rounds twice, and the fused form
-/// $S_2+(1-v)\bigl(P_1-\overline{AB}\bigr)+v\bigl(P_2-\overline{DC}\bigr)$ rounds its differences: both miss the edge curve at some parameter, and a
+/// $S_2+(1-v)\bigl(P_1-(1-u)A-uB\bigr)+v\bigl(P_2-(1-u)D-uC\bigr)$, which saves operations, rounds its differences: both miss the edge curve at some parameter, and a
 /// neighbour on the same curve shows a crack. The compensated sum meets all four edges at every parameter tried.
 #[test]
 fn plain_sums_miss_the_edge() {
@@ -118,6 +118,27 @@ fn reversed(curve: &BezierCurve<[f64; 3]>) -> BezierCurve<[f64; 3]> {
             .copied()
             .collect::<Vec<_>>(),
     )
+}
+
+/// **A curve that stands still.** Where an edge has a cusp, or a double control point, its derivative vanishes too, but the side is no point: the normals
+/// from the left and from the right differ, and there is none at the place itself.
+#[test]
+fn normal_at_a_cusp_is_not_made_up() {
+    let [c, d] = [[1.0, 1.0, 0.0], [0.0, 1.0, 0.0]];
+    for (edge, u) in [
+        (vec![[0., 0., 0.], [0., 0., 0.], [1., 0., 1.]], 0.0),
+        (
+            vec![[0., 0., 0.], [1., 0., 1.], [0., 0., 1.], [1., 0., 0.]],
+            0.5,
+        ),
+    ] {
+        let [a, b] = [edge[0], edge[edge.len() - 1]];
+        let boundary = Boundary::new(bezier(&edge), line(d, c), line(a, d), line(b, c));
+        let patch = CoonsPatch::new(boundary.expect("the ends are shared"));
+        assert_eq!(patch.boundary().p1().derivative(u), Some([0.0; 3]));
+        assert_eq!(patch.normal_vector(u, 0.0), None, "{edge:?}");
+        assert!(patch.normal_vector(u, 0.25).is_some());
+    }
 }
 
 /// **A collapsed side in v.** The same for $A=D$ and a constant $Q_1$, and for $B=C$: the normal is that of $S_u\times S_{uv}$, seen from inside.
@@ -345,4 +366,68 @@ fn gregory_patch_is_continuous_at_its_corners() {
             }
         }
     }
+}
+
+/// **Tiny distances from Gregory's corner.** The change of the blended twist grows as the reciprocal of the distance from the corner. Its weight tames it, if the two meet
+/// before the reciprocal overflows: the derivatives are finite down to denormal parameters, and for data as large as $10^{300}$.
+#[test]
+fn gregory_derivatives_do_not_overflow() {
+    let data = incompatible_example();
+    let tangents = bicubic_partials(&data, 0.0, 0.0).expect("Bézier curves have derivatives");
+    for distance in [1e-300, 1e-310, f64::from_bits(1)] {
+        let near = bicubic_partials(&data, distance, distance).expect("as at the corner");
+        for (near, tangent) in near.into_iter().zip(tangents) {
+            let change = near.minus(tangent).largest_coordinate();
+            assert!(change <= 2.0 * distance, "{change} at {distance}");
+        }
+    }
+}
+
+/// **Noise in a twist.** Twists are differences of slopes, and carry the rounding of slopes. Twists that vanish, up to that, agree with zero.
+#[test]
+fn twists_agree_up_to_the_rounding_of_slopes() {
+    use facette::coons::{Corners, CrossDerivatives, HermiteBoundary};
+    let [a, b, c, d] = [[0., 0., 0.], [0.3, 0., 0.], [0.3, 0.3, 0.], [0., 0.3, 0.]];
+    let boundary = Boundary::new(line(a, b), line(d, c), line(a, d), line(b, c));
+    let [in_u, in_v, noisy] = [[0.3, 0., 0.], [0., 0.3, 0.], [0.3_f64.next_up(), 0., 0.]];
+    let cross = CrossDerivatives {
+        p1_v: line(in_v, in_v),
+        p2_v: line(in_v, in_v),
+        q1_u: line(in_u, noisy),
+        q2_u: line(in_u, in_u),
+    };
+    let none = Corners {
+        a: [0.0; 3],
+        b: [0.0; 3],
+        c: [0.0; 3],
+        d: [0.0; 3],
+    };
+    let data = HermiteBoundary::new(boundary.expect("a square"), cross, none);
+    assert!(data.is_ok(), "{:?}", data.err());
+}
+
+/// **Nearly parallel tangents.** Their product is known up to 8 unit roundoffs of their sizes: what is not larger is no normal, what is larger is one.
+#[test]
+fn parallel_tangents_have_no_normal_up_to_rounding() {
+    struct Tangents([[f64; 3]; 2]);
+    impl Surface for Tangents {
+        type Scalar = f64;
+        type Point = [f64; 3];
+
+        fn domain(&self) -> [[f64; 2]; 2] {
+            [[0.0, 1.0]; 2]
+        }
+
+        fn point(&self, _: f64, _: f64) -> [f64; 3] {
+            [0.0; 3]
+        }
+
+        fn partials(&self, _: f64, _: f64) -> Option<[[f64; 3]; 2]> {
+            Some(self.0)
+        }
+    }
+    let roundoff = f64::EPSILON / 2.0;
+    let normal = |slope: f64| Tangents([[1., 0., 0.], [1., slope, 0.]]).normal_vector(0.5, 0.5);
+    assert_eq!(normal(8.0 * roundoff), None);
+    assert_eq!(normal(10.0 * roundoff), Some([0.0, 0.0, 10.0 * roundoff]));
 }

@@ -8,11 +8,12 @@ mod bicubic_theorems;
 mod boundary_hard_cases;
 #[path = "../common/mod.rs"]
 mod common;
+mod error_theorems;
 mod hard_cases;
 mod inputs;
 mod main_job;
 mod mistakes;
-mod oracles;
+
 mod snapshots;
 mod suspects;
 mod theorems;

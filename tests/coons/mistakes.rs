@@ -45,6 +45,10 @@ pub const MISTAKES: &[Mistake] = &[
         "u and v are exchanged in S3: B belongs to u(1-v), D to v(1-u)"),
     mistake("exchanged_parameters", "bilinear", "patch_interpolates_its_four_corners",
         "the curves get each other's parameter: P1 and P2 run in u, Q1 and Q2 in v"),
+    mistake("exchanged_parameter_of_p1_and_p2", "bilinear", "patch_interpolates_its_four_corners",
+        "P1 and P2 run in u: take their points at u, and v as the weight between them"),
+    mistake("exchanged_parameter_of_p1", "bilinear", "patch_interpolates_its_four_corners",
+        "P1 runs in u, as P2 does: take its point at u"),
     mistake("exchanged_weights", "bilinear", "patch_interpolates_its_four_corners",
         "the ruled surfaces have each other's weights: S1 blends P1 and P2 by v, S2 blends Q1 and Q2 by u"),
     mistake("forgotten_corner_c", "bilinear", "patch_interpolates_its_four_corners",
@@ -104,6 +108,8 @@ pub fn bilinear_point<C: Curve>(
             let s1 = p1.point(v).lerp(p2.point(v), v);
             whole(s1, q1.point(u).lerp(q2.point(u), u), right_s3)
         }
+        "exchanged_parameter_of_p1_and_p2" => whole(p1.point(v).lerp(p2.point(v), v), s2, right_s3),
+        "exchanged_parameter_of_p1" => whole(p1.point(v).lerp(p2.point(u), v), s2, right_s3),
         "exchanged_weights" => {
             let s1 = p1.point(u).lerp(p2.point(u), u);
             whole(s1, q1.point(v).lerp(q2.point(v), v), right_s3)

@@ -2,9 +2,11 @@
 
 use facette::algebra::{Scalar, Vector3, VectorSpace};
 use facette::coons::{
-    Boundary, CoonsError, Corner, bilinear_partials, bilinear_point, ruled_surfaces,
+    Boundary, CoonsError, CoonsPatch, Corner, Corners, bilinear_partials, bilinear_point,
+    ruled_surfaces,
 };
 use facette::curve::Curve;
+use facette::surface::Surface;
 use num_traits::{One, Zero};
 use proptest::prelude::*;
 
@@ -18,8 +20,8 @@ use crate::suspects;
 const ENDS: [i32; 2] = [0, 1];
 
 /// **The boundary is checked.** Four curves bound a patch only if they meet:
-/// $P_1(0)=A=Q_1(0)$, $P_1(1)=B=Q_2(0)$, $Q_2(1)=C=P_2(1)$, $Q_1(1)=D=P_2(0)$. Curves that miss each other at a corner are
-/// refused, and the refusal names the corner, the gap and the tolerance.
+/// $P_1(0)=A=Q_1(0)$, $P_1(1)=B=Q_2(0)$, $Q_2(1)=C=P_2(1)$, $Q_1(1)=D=P_2(0)$. Curves that miss each other by more than the
+/// tolerance (zero for exact numbers) are refused, and the refusal names the corner, the gap and the tolerance.
 ///
 /// Course: A01, slide 8, Coons patches: four curves that meet in four corners.
 #[test]
@@ -95,8 +97,14 @@ fn patch_interpolates_its_four_corners() {
         let boundary = place.boundary();
         let [zero, one] = ENDS.map(Exact::from_i32);
         let s = |u, v| bilinear_point(&boundary, u, v);
-        let corners = [s(zero, zero), s(one, zero), s(one, one), s(zero, one)];
-        expect_equal(&place.corners(), &corners)
+        let [a, b, c, d] = place.corners();
+        let got = Corners {
+            a: s(zero, zero),
+            b: s(one, zero),
+            c: s(one, one),
+            d: s(zero, one),
+        };
+        expect_equal(&Corners { a, b, c, d }, &got)
     });
 }
 
@@ -390,6 +398,41 @@ fn partials_agree_with_dual_numbers() {
         let s_v = sum(constant(place.u), variable(place.v));
         let got = bilinear_partials(&place.boundary(), place.u, place.v);
         expect_equal(&Some([s_u, s_v]), &got)
+    });
+}
+
+/// **The normal.** Wherever $S_u\times S_v$ is not zero, the normal of the patch points along it: inside, on the edges and outside.
+///
+/// Course: A05, slide 11, Coons patches: tangent planes between neighbours.
+#[test]
+fn normal_points_along_the_product_of_the_partials() {
+    let law = Law::new(
+        "coons::normal_points_along_the_product_of_the_partials",
+        suspects::library,
+    );
+    law.holds(places(), hard_places(), |place| {
+        let patch = CoonsPatch::new(place.boundary());
+        let [zero, one] = ENDS.map(Exact::from_i32);
+        for [u, v] in [
+            [place.u, place.v],
+            [place.u, zero],
+            [place.u, one],
+            [zero, place.v],
+            [one, place.v],
+        ] {
+            let Some([s_u, s_v]) = patch.partials(u, v) else {
+                unreachable!("Bézier curves have derivatives")
+            };
+            let product = s_u.cross(s_v);
+            if product == Point::origin() {
+                continue;
+            }
+            let along = patch
+                .normal_vector(u, v)
+                .map(|normal| (normal.cross(product), normal.dot(product) > Exact::zero()));
+            expect_equal(&Some((Point::origin(), true)), &along)?;
+        }
+        Ok(())
     });
 }
 

@@ -115,6 +115,19 @@ pub fn horner_point<P: VectorSpace>(coefficients: &[P], t: P::Scalar) -> P {
         .unwrap_or_else(P::origin)
 }
 
+/// De Casteljau's scheme without a branch for cubics: loops whose lengths are not known when the code is compiled.
+pub fn looped_de_casteljau<P: VectorSpace>(control_points: &[P], t: P::Scalar) -> P {
+    let mut on_stack = [P::origin(); 16];
+    let points = &mut on_stack[..control_points.len()];
+    points.copy_from_slice(control_points);
+    for left in (1..points.len()).rev() {
+        for index in 0..left {
+            points[index] = points[index].lerp(points[index + 1], t);
+        }
+    }
+    points[0]
+}
+
 /// A point as the hand-written kernel has it.
 type Point = [f64; 3];
 

@@ -227,6 +227,10 @@ fn normal_is_known_for_tangents_of_any_length_and_not_for_parallel_ones() {
     assert_ne!(slanted.cross(parallel), [0.0; 3]);
     assert_eq!(normal(slanted, parallel), None);
     assert!(normal(slanted, [0.1, 0.2, 0.3 + 1e-14]).is_some());
+    // A coordinate of the product is known up to 8 unit roundoffs: one that is no larger says nothing.
+    let known_up_to = 4.0 * f64::EPSILON;
+    assert_eq!(normal(x, [1.0, known_up_to, 0.0]), None);
+    assert!(normal(x, [1.0, known_up_to * (1.0 + f64::EPSILON), 0.0]).is_some());
     for nothing in [[0.0; 3], [f64::NAN, 1.0, 0.0], [f64::INFINITY, 0.0, 0.0]] {
         assert_eq!(normal(nothing, y), None);
         assert_eq!(normal(y, nothing), None);
@@ -239,4 +243,27 @@ fn normal_is_known_for_tangents_of_any_length_and_not_for_parallel_ones() {
 #[should_panic(expected = "a grid of 2 x 3 parameters needs 6 places, not 5")]
 fn grid_that_does_not_fit_its_list_stops() {
     flat([[0.0, 1.0]; 2]).points_on_grid(&[0.0, 1.0], &[0.0, 0.5, 1.0], &mut [[0.0; 3]; 5]);
+}
+
+/// **Large and tiny triangles in one mesh.** Each vertex weighs its triangles by its own scale: a triangle of side $10^{-30}$ beside one of side $10^{30}$ has its
+/// normal, and an unused vertex far away changes nothing. Coordinates near the largest number do not overflow.
+#[test]
+fn vertex_normals_have_a_scale_of_their_own() {
+    let triangle = |side: f64| [[0.0, 0.0, 0.0], [side, 0.0, 0.0], [0.0, side, 0.0]];
+    let [tiny, large] = [triangle(1e-200), triangle(1e200)];
+    let far = [[1e250, -1e250, 1e250]];
+    let positions = [&tiny[..], &large[..], &far[..]].concat();
+    let mesh = Mesh::new(positions, [[0, 1, 2], [3, 4, 5]]).expect("finite positions");
+    let up = [0.0, 0.0, 1.0];
+    assert_eq!(
+        mesh.vertex_normals(),
+        [[up; 6].to_vec(), vec![[0.0; 3]]].concat()
+    );
+    let huge = [
+        [-1.5e308, 0.0, 0.0],
+        [1.5e308, 0.0, 0.0],
+        [0.0, 1.5e308, 0.0],
+    ];
+    let mesh = Mesh::new(huge.to_vec(), [[0, 1, 2]]).expect("finite positions");
+    assert_eq!(mesh.vertex_normals(), [up; 3]);
 }

@@ -17,7 +17,7 @@ fn complaint(text: &str) -> String {
 /// the message says what is wrong, in which line, and quotes it.
 #[test]
 fn bad_face_is_refused_with_its_line() {
-    let range = "a vertex number is out of range: the file has 4 vertices, counted from 1";
+    let range = "a vertex number is out of range: the file has 4 vertices, counted from 1; negative numbers count back from the line";
     let numbers = "expected vertex numbers, as 1 or 1/2/3";
     for (line, what) in [
         ("f 0 1 2", range),
@@ -53,6 +53,7 @@ fn bad_vertex_is_refused_with_its_line() {
         ("v 1 2", "expected three numbers x y z"),
         ("v 1 2 x", "expected three numbers x y z"),
         ("v 1,5 2 3", "expected three numbers x y z"),
+        ("v 1/2 2 3", "expected three numbers x y z"),
         ("v 1 2 3 w", "expected three numbers x y z"),
         ("v 1 2 3 0", "the fourth number divides the others: not 0"),
         (
@@ -71,6 +72,9 @@ fn bad_vertex_is_refused_with_its_line() {
         let expected = format!("bad.obj:6: {what} in \"{line}\"");
         assert_eq!(complaint(&format!("f 1 2 3\n{line}\nf 1 3 4\n")), expected);
     }
+    let coloured =
+        Obj::parse("c.obj", "v 0 0 0\nv 1 2 3 0.5 0.5 1\n").expect("one vertex with a colour");
+    assert_eq!(coloured.positions, [[0.0; 3], [1.0, 2.0, 3.0]]);
     let halved = Obj::parse("w.obj", "v 2 4 6 2\n").expect("a vertex with a fourth coordinate");
     assert_eq!(halved.positions, [[1.0, 2.0, 3.0]]);
 }
@@ -112,7 +116,7 @@ fn file_without_vertices_is_refused() {
         let refusal = Obj::parse("empty.obj", text).expect_err("a refusal");
         assert_eq!(
             refusal.to_string(),
-            "empty.obj: there is no vertex in it (a line \"v x y z\")"
+            "empty.obj: there is no vertex in it (a line \"v x y z\"): is it an OBJ file, in plain text?"
         );
     }
     let faces_only = Obj::parse("faces.obj", "\nf 1 2 3\n")
@@ -225,4 +229,42 @@ fn written_file_names_parameters_and_normals() {
         written(&mesh),
         format!("{positions}{parameters}f 1/1 2/2 3/3\n")
     );
+}
+
+/// **Half a comment.** A `#` begins a comment only at the start of a word: some programs write NaN as `1.#QNAN`, and cutting there would make
+/// it 1. Lines may end as on old computers, with a lone carriage return.
+#[test]
+fn number_with_a_hash_is_no_number() {
+    let refused =
+        Obj::parse("nan.obj", "v 0 0 1.#QNAN # not a number\n").map_err(|e| e.to_string());
+    let expected = "nan.obj:1: expected three numbers x y z in \"v 0 0 1.#QNAN\"";
+    assert_eq!(refused, Err(expected.to_owned()));
+    let read = Obj::parse("old.obj", "# old\rv 0 0 1#\rv 1 0 0 # b\r").map_err(|e| e.to_string());
+    assert_eq!(
+        read,
+        Err("old.obj:2: expected three numbers x y z in \"v 0 0 1#\"".to_owned())
+    );
+    let read = Obj::parse("old.obj", "# old\rv 0 0 1 #\rv 1 0 0 # b\r").map(|obj| obj.positions);
+    assert_eq!(read.ok(), Some(vec![[0., 0., 1.], [1., 0., 0.]]));
+}
+
+/// **Names that a file could not give back.** A name with a line break would write statements of its own, one with `#` would end early, one with
+/// a backslash at its end would swallow the next line: they are refused, and nothing is written.
+#[test]
+fn object_names_that_break_the_file_are_refused() {
+    let path = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("named.obj");
+    let _ = std::fs::remove_file(&path);
+    let mesh = Mesh::new(vec![[0.0, 0.0, 0.0]; 3], [[0, 1, 2]]).expect("one triangle");
+    for name in ["a\nv 9 9 9", "a # b", "a\\", "a\r"] {
+        let refused = write_obj(&path, &format!("x{name}y").replace("\\y", "\\"), &mesh);
+        let message = refused
+            .err()
+            .map(|error| error.to_string())
+            .unwrap_or_default();
+        assert!(
+            message.contains("must be one line without #"),
+            "{name:?}: {message}"
+        );
+        assert!(!path.exists());
+    }
 }

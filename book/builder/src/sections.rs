@@ -51,7 +51,7 @@ fn exercise_box(
         .iter()
         .map(|f| format!("`{f}`"))
         .collect();
-    let command = format!("$ cargo exercise {} {}", list.chapter, exercise.name);
+    let command = format!("$ cargo exercise {}/{}", list.chapter, exercise.name);
     let mut text = format!(
         "<section class=\"exercise\" id=\"exercise-{}\">\n<div class=\"box-title\">\n\n<span class=\"box-label\">Exercise {number}{}</span> {}\n\n</div>\n\nWrite {} in `exercises/{}/{}`, then run:\n\n{}\n",
         exercise.name,
@@ -108,11 +108,12 @@ fn speed_table(table: &measure::Measurements) -> String {
             quantity = Some(&row[0]);
             let _ = write!(
                 text,
-                "\n**{}**\n\n| algorithm | scalar | threads | inputs | n | ns | spread | ratio | ulp, max. | absolute, max. | absolute, rms |\n| --- | --- | ---: | --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n",
-                row[0]
+                "\n**{}** ({} evaluations, threads: {})\n\n| algorithm | scalar | inputs | ns | spread | ratio | max ulp | max error | rms |\n| --- | --- | --- | ---: | ---: | ---: | ---: | ---: | ---: |\n",
+                row[0], row[5], row[3]
             );
         }
-        let cells: Vec<String> = row[1..].iter().map(|c| c.replace('|', "&#124;")).collect();
+        let shown = [1, 2, 4, 6, 7, 8, 9, 10, 11].map(|column| &row[column]);
+        let cells = shown.map(|cell| cell.replace('|', "&#124;"));
         let _ = writeln!(text, "| {} |", cells.join(" | "));
     }
     text.push_str("\n\n</div>\n\n");

@@ -186,7 +186,7 @@ fn built(
     if !target.is_dir() {
         writeln!(
             screen,
-            "The first check builds the tests, which takes a minute or two."
+            "The first check builds the tests, which takes a few minutes."
         )?;
         screen.flush()?;
     }

@@ -47,8 +47,8 @@ pub fn crease_and_cure() -> Figure {
     );
     figure(
         "crease_and_cure",
-        "Isophotes, the lines of equal light, on two patches that share the red curve; all other curves pass smoothly from one \
-         patch to the other. On bilinear patches (left) the isophotes break at the red curve: the normal jumps. On bicubically \
+        "Isophotes, the lines of equal light, on two patches that share the orange curve; all other curves pass smoothly from one \
+         patch to the other. On bilinear patches (left) the isophotes break at the orange curve: the normal jumps. On bicubically \
          blended ones that share the derivative across it (right) they run through.",
         "Two striped pictures of a surface of two halves. On the left the stripes are broken at the common curve, on the right \
          each stripe goes on without a break.",
@@ -105,7 +105,8 @@ pub fn twists() -> Figure {
     figure(
         "twists",
         "A bicubic surface (left), and what becomes of it when its four twists are set to zero (right). Positions and slopes at the \
-         corners are the same; the surface flattens there, and the isophotes show it.",
+         corners are the same. Compare the far corner on the right: without its twist the tangent plane hardly turns there, and one broad \
+         stripe covers it.",
         "Two striped pictures of a wavy patch with the same corners. On the right the stripes are wider next to the corners.",
         &panels(
             2,

@@ -85,13 +85,13 @@ fn corners<C: Curve>(boundary: &Boundary<C>) -> [C::Point; 4] {
     [a, b, c, d]
 }
 
-/// **The error of a point.** In floating point with the unit roundoff $u$, each coordinate of $S(u,v)$ is within $16u\cdot M$ of
-/// the exact patch of the computed curve points, for parameters in $[0,1]$; $M$ is the largest value of that coordinate among the
+/// **The error of a point.** In floating point with the unit roundoff $\mathbf u$, each coordinate of $S(u,v)$ is within $16\mathbf u\cdot M$ of
+/// the exact patch of the computed curve points, for parameters in $[0,1]$; $M$ is the largest absolute value of that coordinate among the
 /// four curve points and the four corners.
 ///
-/// An interpolation $(1-t)a+tb$ rounds $1-t$, two products and the sum: at most $(1-t)\cdot2u+t\cdot u+u\le3u$ times $M$. So $S_1$
-/// and $S_2$ are within $3u\cdot M$ and $S_3$, two interpolations deep, within $6u\cdot M$. The compensated sum rounds once, by
-/// $u\lvert S\rvert\le3u\cdot M$; what it neglects is of the order $u^2$. Together $15u\cdot M$, and one more for all terms in $u^2$.
+/// An interpolation $(1-t)a+tb$ rounds $1-t$, two products and the sum: at most $(1-t)\cdot2\mathbf u+t\cdot\mathbf u+\mathbf u\le3\mathbf u$ times $M$. So $S_1$
+/// and $S_2$ are within $3\mathbf u\cdot M$ and $S_3$, two interpolations deep, within $6\mathbf u\cdot M$. The compensated sum rounds once, by
+/// $\mathbf u\lvert S\rvert\le3\mathbf u\cdot M$; what it neglects is of the order $\mathbf u^2$. Together $15\mathbf u\cdot M$, and one more for all terms in $\mathbf u^2$.
 #[test]
 fn point_error_stays_below_its_bound() {
     let bounds = [Bound::default(), Bound::default()];
@@ -134,14 +134,14 @@ fn bilinear_data<P: FloatPoint>(
     (data, std::array::from_fn(|index| all[index]))
 }
 
-/// **The error of the partial derivatives.** Each coordinate of $S_u$ and of $S_v$ is within $19u\cdot M$ of the exact derivatives
-/// of the patch with the computed points and derivatives on its edges, for parameters in $[0,1]$; $M$ is the largest value of that
+/// **The error of the partial derivatives.** Each coordinate of $S_u$ and of $S_v$ is within $19\mathbf u\cdot M$ of the exact derivatives
+/// of the patch with the computed points and derivatives on its edges, for parameters in $[0,1]$; $M$ is the largest absolute value of that
 /// coordinate among those points and derivatives and the corners.
 ///
-/// In $S_u=\bigl[(1-v)P_1'+vP_2'\bigr]+\bigl[Q_2-Q_1\bigr]-\bigl[(1-v)(B-A)+v(C-D)\bigr]$ the first bracket is within $3u\cdot M$, the
-/// second, of size $2M$, within $2u\cdot M$; the third interpolates differences of size $2M$ with an error of $2u\cdot M$ each:
-/// $2u\cdot M+3u\cdot2M=8u\cdot M$. The sum rounds by $u\lvert S_u\rvert\le5u\cdot M$. Together $18u\cdot M$, and one more for all terms
-/// in $u^2$.
+/// In $S_u=\bigl[(1-v)P_1'+vP_2'\bigr]+\bigl[Q_2-Q_1\bigr]-\bigl[(1-v)(B-A)+v(C-D)\bigr]$ the first bracket is within $3\mathbf u\cdot M$, the
+/// second, of size $2M$, within $2\mathbf u\cdot M$; the third interpolates differences of size $2M$ with an error of $2\mathbf u\cdot M$ each:
+/// $2\mathbf u\cdot M+3\mathbf u\cdot2M=8\mathbf u\cdot M$. The sum rounds by $\mathbf u\lvert S_u\rvert\le5\mathbf u\cdot M$. Together $18\mathbf u\cdot M$, and one more for all terms
+/// in $\mathbf u^2$.
 #[test]
 fn partials_error_stays_below_its_bound() {
     let bounds = [Bound::default(), Bound::default()];
@@ -178,8 +178,8 @@ fn partials_error<P: FloatPoint>(place: &FloatPlace, bound: &Bound) -> Verdict {
 }
 
 /// **The error of the bicubic patch.** Each coordinate of a point of the bicubically blended patch is within
-/// $u\,(40M_0+13M_1+2M_2)$ of the exact patch of the computed curve points and corner vectors, for parameters in $[0,1]$. $M_0$ is
-/// the largest value of that coordinate among points (of the edges, and the corners), $M_1$ among slopes (of the cross
+/// $\mathbf u\,(40M_0+13M_1+2M_2)$ of the exact patch of the computed curve points and corner vectors, for parameters in $[0,1]$. $M_0$ is
+/// the largest absolute value of that coordinate among points (of the edges, and the corners), $M_1$ among slopes (of the cross
 /// derivatives, and the tangents at the corners), $M_2$ among the twists of both families.
 ///
 /// The four cubics are computed with 5, 4, 3 and 3 roundings, their products with one more each, and the sum from the left adds 3,
@@ -187,11 +187,11 @@ fn partials_error<P: FloatPoint>(place: &FloatPlace, bound: &Bound) -> Verdict {
 /// $f_1=8h_1+6\lvert h_2\rvert\le1.76$ for the slopes, whose weights add up to $g=t(1-t)\le\tfrac14$.
 ///
 /// - *Points.* $S_1$, $S_2$ and the two combinations inside $S_3$: $4\cdot9$, and $3$ for the rounding of the sum: $39$.
-/// - *Slopes.* $S_1$ and $S_2$: $2\cdot1.76$. In $S_3$, twice $f_1\cdot1+g\,f_0\le4.01$. The sum: 1. Together $12.6$.
+/// - *Slopes.* $S_1$ and $S_2$: $2\cdot1.76$. In $S_3$, $2\cdot(f_1\cdot1+g\,f_0)\le2\cdot4.01$. The sum: 1. Together $12.6$.
 /// - *Twists.* $f_1g+g\,f_1\le0.88$; Gregory's mean errs by 11 itself, with weights of $\tfrac1{16}$: $0.69$; the sum: $\tfrac1{16}$.
 ///   Together $1.7$.
 ///
-/// The rest of each number is for the terms in $u^2$. The errors seen are about a thirtieth of this bound: it adds up more than
+/// The rest of each number is for the terms in $\mathbf u^2$. The errors seen are about a thirtieth of this bound: it adds up more than
 /// fifty roundings as if all had the same sign, and they have not.
 #[test]
 fn bicubic_error_stays_below_its_bound() {
@@ -269,8 +269,8 @@ fn bicubic_data<P: FloatPoint>(
 /// $S(u,0)$ equals the computed $P_1(u)$, and so on all four edges. Neighbours that share a curve leave no crack.
 ///
 /// On an edge two of the three terms are the same number, since a weight of 1 or 0 rounds nothing: say $S_2=S_3=b$, and $S_1=a$ is
-/// the curve's point. Left to right, $(a\oplus b)\ominus b$ has lost what the first sum rounded away. The compensated sum
-/// keeps it: $s=a\oplus b$ with $s+e_1=a+b$, then $d=s\ominus b$ with $d+e_2=s-b$, both without error, so that $d+(e_1+e_2)=a$. Here
+/// the curve's point. Left to right, the rounded $(a+b)-b$ has lost what the first sum rounded away. The compensated sum
+/// keeps it: the rounded sum $s$ with its error, $s+e_1=a+b$, then the rounded difference $d$ with its, $d+e_2=s-b$, both without error, so that $d+(e_1+e_2)=a$. Here
 /// $e_1+e_2=a-d$ needs no rounding. Where $\lvert a\rvert\le\lvert b\rvert$, already $s-b$ is a floating-point number, and $e_2=0$.
 /// Otherwise $d$ is within a factor of 2 of $a$, and the difference of two such numbers is a floating-point number (Sterbenz's
 /// lemma). The last sum therefore gives $a$.
@@ -312,6 +312,44 @@ fn carries_its_edges<P: FloatPoint>(
     let curves = [p1.point(u), p2.point(u), q1.point(v), q2.point(v)];
     let on_patch = [patch(u, zero), patch(u, one), patch(zero, v), patch(one, v)];
     expect_equal(&curves, &on_patch)
+}
+
+/// **Exact tangents along the edges.** By the same argument the derivative along an edge is the edge curve's own, without any rounding error: $S_u(u,0)$ equals the computed
+/// $P_1'(u)$, and so on all four edges, on the bilinear and on the bicubically blended patch.
+#[test]
+fn tangents_along_the_edges_are_exact_in_floating_point() {
+    let name = "coons::tangents_along_the_edges_are_exact_in_floating_point";
+    Law::new(name, suspects::library).on_cases(256).holds(
+        float_places(),
+        hard_float_places(),
+        |place| {
+            tangents_are_exact::<[f64; 3]>(place)?;
+            tangents_are_exact::<[f32; 3]>(place)
+        },
+    );
+}
+
+fn tangents_are_exact<P: FloatPoint>(place: &FloatPlace) -> Verdict {
+    let data = place.hermite::<P>();
+    let bilinear = CoonsPatch::new(data.boundary().clone());
+    let bicubic = BicubicPatch::new(data);
+    let [u, v] = place.parameters::<P>();
+    let [zero, one] = [0, 1].map(P::Scalar::from_i32);
+    let [p1, p2, q1, q2] = edges(bilinear.boundary());
+    let curves = [
+        p1.derivative(u),
+        p2.derivative(u),
+        q1.derivative(v),
+        q2.derivative(v),
+    ];
+    let along = |surface: &dyn Fn(P::Scalar, P::Scalar) -> Option<[P; 2]>| {
+        let [s_u, s_v] = [[[u, zero], [u, one]], [[zero, v], [one, v]]];
+        let along_u = s_u.map(|[u, v]| surface(u, v).map(|partials| partials[0]));
+        let along_v = s_v.map(|[u, v]| surface(u, v).map(|partials| partials[1]));
+        [along_u[0], along_u[1], along_v[0], along_v[1]]
+    };
+    expect_equal(&curves, &along(&|u, v| bilinear.partials(u, v)))?;
+    expect_equal(&curves, &along(&|u, v| bicubic.partials(u, v)))
 }
 
 /// **A grid has the same bits.** Whether a point comes alone or with a whole grid, where each curve is evaluated once a row or
