@@ -201,7 +201,7 @@ pub fn missed_edges() -> Figure {
     figure(
         "missed_edges",
         "How far a patch of `f32` points, about four units wide, misses its own edge $Q_2$. Added from the left, $S_1+S_2-S_3$ \
-         misses it at almost all parameters, by up to $4.8\cdot10^{-7}$, two ulps of a coordinate near 4; with the rounding errors \
+         misses it at almost all parameters, by up to $4.8\\cdot10^{-7}$, two ulps of a coordinate near 4; with the rounding errors \
          carried along it is met everywhere.",
         "A scatter of distances over the parameter v. The points of the plain sum lie at several levels up to a few times ten to \
          the minus seven, those of the compensated sum all at zero.",
