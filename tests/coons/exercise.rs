@@ -4,6 +4,7 @@
 #[path = "../common/mod.rs"]
 mod common;
 mod bicubic_theorems;
+mod derivative_theorems;
 mod inputs;
 mod mistakes;
 mod suspects;

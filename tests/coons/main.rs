@@ -8,6 +8,7 @@ mod bicubic_theorems;
 mod boundary_hard_cases;
 #[path = "../common/mod.rs"]
 mod common;
+mod derivative_theorems;
 mod error_theorems;
 mod hard_cases;
 mod inputs;
