@@ -2,7 +2,7 @@
 //!
 //! `cargo run --release --example speed_against_error -- coons` measures one chapter, without a name all of them; the report
 //! goes to `target/speed_against_error/<chapter>.csv`. Leave the machine alone meanwhile. `--quick` tries in a second whether
-//! everything runs, and its numbers mean nothing. `--repeat <times> <quantity>/<algorithm>/<scalar>/<inputs>` does nothing but
+//! everything runs; its numbers mean nothing, and go to the folder `quick` below. `--repeat <times> <quantity>/<algorithm>/<scalar>/<inputs>` does nothing but
 //! evaluate one variant, for a program that counts instructions.
 
 use std::env;
@@ -67,10 +67,14 @@ fn main() -> ExitCode {
 
 fn run() -> Result<(), String> {
     let (mut effort, mut names, mut repeat) = (FULL, Vec::new(), None);
+    let mut folder = Path::new("target/speed_against_error");
     let mut arguments = env::args().skip(1);
     while let Some(argument) = arguments.next() {
         match argument.as_str() {
-            "--quick" => effort = QUICK,
+            "--quick" => {
+                effort = QUICK;
+                folder = Path::new("target/speed_against_error/quick");
+            }
             "--repeat" => {
                 let times = arguments.next().and_then(|times| times.parse().ok());
                 repeat = times.zip(arguments.next());
@@ -86,7 +90,7 @@ fn run() -> Result<(), String> {
         Some((times, variant)) => repeat_one(&chapters, &variant, times),
         None => chapters
             .into_iter()
-            .try_for_each(|chapter| measure(chapter, effort)),
+            .try_for_each(|chapter| measure(chapter, effort, folder)),
     }
 }
 
@@ -104,14 +108,13 @@ fn chosen(names: &[String]) -> Result<Vec<&'static Chapter>, String> {
     Ok(CHAPTERS.iter().filter(is_chosen).collect())
 }
 
-fn measure(chapter: &Chapter, effort: Effort) -> Result<(), String> {
+fn measure(chapter: &Chapter, effort: Effort, folder: &Path) -> Result<(), String> {
     let mut rows = Vec::new();
     (chapter.visit)(effort, &mut |comparison| {
         rows.extend(comparison.measure(effort));
         eprintln!("{}: {} variants measured", chapter.name, rows.len());
     });
     report::print(chapter.name, &rows);
-    let folder = Path::new("target/speed_against_error");
     let file = report::write(folder, chapter.name, &rows);
     let file = file.map_err(|error| format!("cannot write to {}: {error}", folder.display()))?;
     println!("written to {}", file.display());
