@@ -297,7 +297,7 @@ fn with_other_twists(net: &Net, [first, second]: [Point; 2]) -> ExactData {
     let cross = CrossDerivatives {
         p1_v: changed(&cross.p1_v, first),
         p2_v: changed(&cross.p2_v, second),
-        q2_u: changed(&cross.q2_u, second),
+        q2_u: changed(&cross.q2_u, first.plus(second)),
         ..cross
     };
     HermiteBoundary::gregory(boundary, cross).expect("the ends have not changed")
