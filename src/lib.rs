@@ -6,12 +6,14 @@
 //! | floor | modules |
 //! | --- | --- |
 //! | ground | [`algebra`], [`curve`], [`surface`], [`mesh`] |
-//! | surfaces | [`coons`] |
+//! | surfaces | [`coons`], [`bspline`], [`tessellation`] |
 //!
 //! *In the book*: [the front page](../../index.html).
 
 pub mod algebra;
+pub mod bspline;
 pub mod coons;
 pub mod curve;
 pub mod mesh;
 pub mod surface;
+pub mod tessellation;

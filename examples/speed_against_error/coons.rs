@@ -10,11 +10,15 @@ use glam::{DVec3, Vec3A};
 use crate::Visitor;
 use crate::float_inputs::FloatPoint;
 use crate::harness::{Comparison, Effort, Exact, lazily};
-use crate::variants::{self, HandWrittenPatch};
 use inputs::{InputSet, Scene, hard, typical};
+use variants::HandWrittenPatch;
 
 mod exact;
+#[path = "../../tests/coons/error_theorems/exact_patch.rs"]
+mod exact_patch;
 mod inputs;
+#[path = "../../tests/coons/variants.rs"]
+mod variants;
 
 /// The scenes of one set of inputs in all types of points.
 struct Scenes {

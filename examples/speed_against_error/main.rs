@@ -2,7 +2,8 @@
 //!
 //! `cargo run --release --example speed_against_error -- coons` measures one chapter, without a name all of them; the report
 //! goes to `target/speed_against_error/<chapter>.csv`. Leave the machine alone meanwhile. `--quick` tries in a second whether
-//! everything runs; its numbers mean nothing, and go to the folder `quick` below. `--repeat <times> <quantity>/<algorithm>/<scalar>/<inputs>` does nothing but
+//! everything runs; its numbers mean nothing, and go to the folder `quick` below. `--peers <file>` adds the rows of a table of the same
+//! form, which another program has measured: other libraries are never a dependency of this one. `--repeat <times> <quantity>/<algorithm>/<scalar>/<inputs>` does nothing but
 //! evaluate one variant, for a program that counts instructions.
 
 use std::env;
@@ -10,7 +11,9 @@ use std::path::Path;
 use std::process::ExitCode;
 
 use harness::{Comparison, Effort};
+use report::Peers;
 
+mod bspline;
 #[path = "../../tests/common/mod.rs"]
 #[allow(
     unused_imports,
@@ -18,15 +21,11 @@ use harness::{Comparison, Effort};
 )]
 mod common;
 mod coons;
-#[path = "../../tests/coons/error_theorems/exact_patch.rs"]
-mod exact_patch;
 #[path = "../../tests/coons/error_theorems/float_inputs.rs"]
 #[allow(dead_code, reason = "the generators serve the tests")]
 mod float_inputs;
 mod harness;
 mod report;
-#[path = "../../tests/coons/variants.rs"]
-mod variants;
 
 /// What is done with a comparison.
 type Visitor<'a> = dyn FnMut(Comparison<'_>) + 'a;
@@ -38,10 +37,16 @@ struct Chapter {
     visit: fn(Effort, &mut Visitor<'_>),
 }
 
-const CHAPTERS: &[Chapter] = &[Chapter {
-    name: "coons",
-    visit: coons::visit,
-}];
+const CHAPTERS: &[Chapter] = &[
+    Chapter {
+        name: "coons",
+        visit: coons::visit,
+    },
+    Chapter {
+        name: "bspline",
+        visit: bspline::visit,
+    },
+];
 
 const FULL: Effort = Effort {
     rounds: 501,
@@ -67,6 +72,7 @@ fn main() -> ExitCode {
 
 fn run() -> Result<(), String> {
     let (mut effort, mut names, mut repeat) = (FULL, Vec::new(), None);
+    let mut peers = None;
     let mut folder = Path::new("target/speed_against_error");
     let mut arguments = env::args().skip(1);
     while let Some(argument) = arguments.next() {
@@ -74,6 +80,10 @@ fn run() -> Result<(), String> {
             "--quick" => {
                 effort = QUICK;
                 folder = Path::new("target/speed_against_error/quick");
+            }
+            "--peers" => {
+                let file = arguments.next().ok_or("--peers needs the name of a file")?;
+                peers = Some(report::read_peers(Path::new(&file))?);
             }
             "--repeat" => {
                 let times = arguments.next().and_then(|times| times.parse().ok());
@@ -86,11 +96,14 @@ fn run() -> Result<(), String> {
         }
     }
     let chapters = chosen(&names)?;
+    if peers.is_some() && chapters.len() != 1 {
+        return Err("--peers needs the one chapter that the rows belong to".to_owned());
+    }
     match repeat {
         Some((times, variant)) => repeat_one(&chapters, &variant, times),
         None => chapters
             .into_iter()
-            .try_for_each(|chapter| measure(chapter, effort, folder)),
+            .try_for_each(|chapter| measure(chapter, effort, folder, peers.as_ref())),
     }
 }
 
@@ -108,14 +121,19 @@ fn chosen(names: &[String]) -> Result<Vec<&'static Chapter>, String> {
     Ok(CHAPTERS.iter().filter(is_chosen).collect())
 }
 
-fn measure(chapter: &Chapter, effort: Effort, folder: &Path) -> Result<(), String> {
+fn measure(
+    chapter: &Chapter,
+    effort: Effort,
+    folder: &Path,
+    peers: Option<&Peers>,
+) -> Result<(), String> {
     let mut rows = Vec::new();
     (chapter.visit)(effort, &mut |comparison| {
         rows.extend(comparison.measure(effort));
         eprintln!("{}: {} variants measured", chapter.name, rows.len());
     });
     report::print(chapter.name, &rows);
-    let file = report::write(folder, chapter.name, &rows);
+    let file = report::write(folder, chapter.name, &rows, peers);
     let file = file.map_err(|error| format!("cannot write to {}: {error}", folder.display()))?;
     println!("written to {}", file.display());
     Ok(())

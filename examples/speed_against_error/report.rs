@@ -1,5 +1,6 @@
 //! The report: on the screen as a table, on disk as comma-separated values with the circumstances of the measurement.
 
+use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::time::{SystemTime, UNIX_EPOCH};
@@ -24,15 +25,59 @@ pub fn print(chapter: &str, rows: &[Row]) {
     }
 }
 
-/// Writes the rows to `<folder>/<chapter>.csv`, all or nothing.
-pub fn write(folder: &Path, chapter: &str, rows: &[Row]) -> io::Result<PathBuf> {
+/// The rows that another program has measured, for other libraries: as text, with the comment lines that say how.
+pub struct Peers {
+    comments: String,
+    rows: String,
+}
+
+/// Reads the rows of other libraries: comment lines `# key: value`, the names of the columns, the rows.
+pub fn read_peers(file: &Path) -> Result<Peers, String> {
+    let text = fs::read_to_string(file);
+    let text = text.map_err(|error| format!("cannot read {}: {error}", file.display()))?;
+    let (mut comments, mut rows) = (String::new(), String::new());
+    let mut lines = text
+        .lines()
+        .enumerate()
+        .filter(|(_, line)| !line.is_empty());
+    let mut has_header = false;
+    for (index, line) in &mut lines {
+        let complaint = |expected| format!("{}, line {}: {expected}", file.display(), index + 1);
+        if let Some(comment) = line.strip_prefix("# ") {
+            let _ = writeln!(comments, "# peers, {comment}");
+        } else if has_header {
+            if line.split(',').count() != Row::COLUMNS.len() {
+                return Err(complaint(format!("expected {} cells", Row::COLUMNS.len())));
+            }
+            let _ = writeln!(rows, "{line}");
+        } else if line == Row::COLUMNS.join(",") {
+            has_header = true;
+        } else {
+            return Err(complaint(format!(
+                "expected the header {}",
+                Row::COLUMNS.join(",")
+            )));
+        }
+    }
+    Ok(Peers { comments, rows })
+}
+
+/// Writes the rows to `<folder>/<chapter>.csv`, those of the peers after them, all or nothing.
+pub fn write(
+    folder: &Path,
+    chapter: &str,
+    rows: &[Row],
+    peers: Option<&Peers>,
+) -> io::Result<PathBuf> {
     let mut text = circumstances();
+    text.push_str(peers.map_or("", |peers| &peers.comments));
     text.push_str(&Row::COLUMNS.join(","));
     text.push('\n');
     for row in rows {
         text.push_str(&row.cells().join(","));
         text.push('\n');
     }
+    text.push_str(peers.map_or("", |peers| &peers.rows));
     fs::create_dir_all(folder)?;
     let file = folder.join(format!("{chapter}.csv"));
     let unfinished = folder.join(format!("{chapter}.csv.unfinished"));

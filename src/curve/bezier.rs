@@ -45,6 +45,12 @@ impl<P: VectorSpace> BezierCurve<P> {
         Ok(Self { control_points })
     }
 
+    /// The curve of control points that are known to be finite, at least one.
+    pub(crate) fn of_finite_points(control_points: Vec<P>) -> Self {
+        debug_assert!(!control_points.is_empty(), "a curve has a control point");
+        Self { control_points }
+    }
+
     /// The control points, `degree + 1` of them.
     pub fn control_points(&self) -> &[P] {
         &self.control_points

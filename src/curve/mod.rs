@@ -300,6 +300,6 @@ impl<P: VectorSpace> Curve for Polyline<P> {
 }
 
 /// A number of points as an integer that every scalar type can be made from.
-fn count(length: usize) -> i32 {
+pub(crate) fn count(length: usize) -> i32 {
     i32::try_from(length).unwrap_or(i32::MAX)
 }

@@ -55,6 +55,38 @@ pub fn big_bezier<const N: usize>(control_points: &[[f64; N]], t: &Big) -> [Big;
     big_combination(&big_bernstein(points.len() - 1, t), &points)
 }
 
+/// The B-spline basis functions of this degree at `u`, all of them, by Cox and de Boor's recursion: spans are half-open, but the one
+/// that ends at `closed` has that end too. A term over 0 is 0.
+pub fn big_bspline_basis(degree: usize, knots: &[f64], u: &Big, closed: f64) -> Vec<Big> {
+    let knots: Vec<_> = knots.iter().map(|&knot| big(knot)).collect();
+    let one = Big::from_integer(1.into());
+    let at_the_end = *u == big(closed);
+    let indicator = |span: &[Big]| {
+        let holds = span[0] <= *u && *u < span[1];
+        let ends = span[0] < span[1] && span[1] == *u;
+        let is_inside = if at_the_end { ends } else { holds };
+        if is_inside { one.clone() } else { Big::zero() }
+    };
+    let mut values: Vec<Big> = knots.windows(2).map(indicator).collect();
+    for d in 1..=degree {
+        let part = |weight: Big, width: Big, value: &Big| {
+            if value.is_zero() {
+                Big::zero()
+            } else {
+                weight / width * value
+            }
+        };
+        values = (0..values.len() - 1)
+            .map(|i| {
+                let rising = part(u - &knots[i], &knots[i + d] - &knots[i], &values[i]);
+                let width = &knots[i + d + 1] - &knots[i + 1];
+                rising + part(&knots[i + d + 1] - u, width, &values[i + 1])
+            })
+            .collect();
+    }
+    values
+}
+
 /// How far the coordinates of `computed` are from `exact`, at most: in multiples of `unit`.
 ///
 /// # Panics
@@ -94,6 +126,15 @@ fn the_oracle_knows_what_floating_point_loses() {
         0.5
     );
     assert_eq!(big_bernstein(2, &big(0.5)), [0.25, 0.5, 0.25].map(big));
+    let bezier = [0.0, 0.0, 0.0, 1.0, 1.0, 1.0];
+    assert_eq!(
+        big_bspline_basis(2, &bezier, &big(0.5), 1.0),
+        [0.25, 0.5, 0.25].map(big)
+    );
+    assert_eq!(
+        big_bspline_basis(2, &bezier, &big(1.0), 1.0),
+        [0.0, 0.0, 1.0].map(big)
+    );
     assert_eq!(ulp(1.0, f64::EPSILON / 2.0), f64::EPSILON);
     assert_eq!(ulp(0.75, f64::EPSILON / 2.0), f64::EPSILON / 2.0);
 }

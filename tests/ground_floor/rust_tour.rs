@@ -169,3 +169,49 @@ fn arch_stands_on_its_ends() {
     assert_eq!(arch.derivative(0.0), Some([2.0, 4.0]));
 }
 // ANCHOR_END: bezier
+
+#[allow(
+    clippy::needless_range_loop,
+    clippy::assign_op_pattern,
+    reason = "the page shows plain loops first"
+)]
+// ANCHOR: list
+/// The mean of some numbers, at least one.
+fn mean(numbers: &[f64]) -> f64 {
+    let mut sum = 0.0;
+    for index in 0..numbers.len() {
+        sum = sum + numbers[index];
+    }
+    sum / numbers.len() as f64
+}
+// ANCHOR_END: list
+
+// ANCHOR: list_call
+#[test]
+fn mean_of_a_growing_list() {
+    let mut heights = vec![1.0, 2.0];
+    heights.push(6.0);
+    assert_eq!(mean(&heights), 3.0);
+    assert_eq!(mean(&heights[1..=2]), 4.0);
+}
+// ANCHOR_END: list_call
+
+#[allow(
+    clippy::assign_op_pattern,
+    reason = "the page has introduced no other operator"
+)]
+// ANCHOR: change
+/// Replaces every number by its double.
+fn double(numbers: &mut [f64]) {
+    for number in numbers {
+        *number = 2.0 * *number;
+    }
+}
+// ANCHOR_END: change
+
+#[test]
+fn double_changes_what_it_is_given() {
+    let mut pair = [1.0, 4.0];
+    double(&mut pair);
+    assert_eq!(pair, [2.0, 8.0]);
+}

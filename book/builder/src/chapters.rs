@@ -2,11 +2,25 @@
 
 use crate::figures::ChapterFigures;
 
+#[path = "../../../examples/bspline/figures.rs"]
+mod bspline;
 #[path = "../../../examples/coons/figures.rs"]
 mod coons;
+#[path = "../../../examples/tessellation/figures.rs"]
+mod tessellation;
 
 /// Every chapter with figures, in the order of the book.
-pub const CHAPTERS: &[ChapterFigures] = &[ChapterFigures {
-    chapter: "coons",
-    figures: coons::FIGURES,
-}];
+pub const CHAPTERS: &[ChapterFigures] = &[
+    ChapterFigures {
+        chapter: "coons",
+        figures: coons::FIGURES,
+    },
+    ChapterFigures {
+        chapter: "bspline",
+        figures: bspline::FIGURES,
+    },
+    ChapterFigures {
+        chapter: "tessellation",
+        figures: tessellation::FIGURES,
+    },
+];

@@ -1,5 +1,6 @@
 //! What the builder refuses in the pages and in what belongs to them.
 
+use crate::chapter_checks;
 use crate::directive::Directive;
 use crate::expand::Expander;
 use crate::figures::ChapterFigure;
@@ -11,12 +12,12 @@ use crate::tables::field_line;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// Checks each page by itself: listings, images, sources.
+/// Checks the pages one by one, then chapter by chapter: listings, images, includes; place, statements, sources.
 pub fn pages(root: &Path, pages: &[Page], survey: &Survey, problems: &mut Problems) {
+    chapter_checks::check(pages, survey, problems);
     for (page, reading) in pages.iter().zip(&survey.readings) {
         listings(page, reading, problems);
         images(page, reading, problems);
-        sources(page, reading, problems);
         for found in &reading.directives {
             if let Ok(Directive::Include(target)) = &found.directive {
                 let line = Place::new(&page.file, 1).line(&page.text, found.range.start);
@@ -58,25 +59,6 @@ fn images(page: &Page, reading: &Reading, problems: &mut Problems) {
                 problems.add(&page.file, line, "an image without alternative text");
             }
         }
-    }
-}
-
-/// A page that cites a theorem names its sources.
-fn sources(page: &Page, reading: &Reading, problems: &mut Problems) {
-    let cites = reading.directives.iter().any(|found| {
-        matches!(
-            found.directive,
-            Ok(Directive::Theorem(_) | Directive::HardCase(_))
-        )
-    });
-    let has = reading
-        .outline
-        .headings
-        .iter()
-        .any(|h| h.trim() == "Sources");
-    if cites && !has {
-        let message = "a page with theorems but without a section `Sources`";
-        problems.add(&page.file, 1, message);
     }
 }
 
@@ -148,6 +130,7 @@ pub fn unused(expander: &mut Expander<'_>) {
         }
     }
     ungraded(expander);
+    unlisted(expander);
 }
 
 /// Where an example names the figure.
@@ -178,6 +161,22 @@ fn ungraded(expander: &mut Expander<'_>) {
                 let message = format!("no theorem grades the exercise `{}`", exercise.name);
                 expander.problems.add(&list.file, line, message);
             }
+        }
+    }
+}
+
+/// Exercises that no page lists.
+fn unlisted(expander: &mut Expander<'_>) {
+    let readings = &expander.survey.readings;
+    for list in &expander.material.exercises {
+        let wanted = Ok(Directive::Exercises(list.chapter.clone()));
+        let mut directives = readings.iter().flat_map(|reading| &reading.directives);
+        if !directives.any(|found| found.directive == wanted) {
+            let message = format!(
+                "no page lists these exercises: expected `{{{{#exercises {}}}}}` in a page of the chapter",
+                list.chapter
+            );
+            expander.problems.add(&list.file, 1, message);
         }
     }
 }

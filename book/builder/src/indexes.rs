@@ -1,7 +1,7 @@
 //! The pages that are made from all others: theorem index, errata, slide map, glossary, bibliography.
 
 use crate::expand::Expander;
-use crate::page::Page;
+use crate::page::{Page, first_of, full_name};
 use crate::problem::Place;
 use crate::survey::Spot;
 use crate::tables::Work;
@@ -30,6 +30,12 @@ pub fn link(expander: &Expander<'_>, page: &Page, spot: &Spot, theorem: &Theorem
     let home = &expander.pages[spot.page];
     let address = page.link(&format!("{}#{}", home.html(), theorem.anchor()));
     format!("[{} {}]({address})", theorem.kind.label(), spot.number)
+}
+
+/// A link from `page` to another page, by its name.
+fn page_link(expander: &Expander<'_>, page: &Page, home: &Page) -> String {
+    let name = full_name(expander.pages, home);
+    format!("[{name}]({})", page.link(&home.html()))
 }
 
 /// Text that does not end a cell of a table.
@@ -62,7 +68,8 @@ pub fn theorem_index(expander: &mut Expander<'_>, page: &Page) -> String {
     let mut current = None;
     for (spot, theorem) in in_order(expander) {
         if current.as_ref() != Some(&theorem.chapter) {
-            let home = &expander.pages[spot.page];
+            let home = first_of(expander.pages, &theorem.chapter);
+            let home = home.unwrap_or(&expander.pages[spot.page]);
             let _ = write!(
                 text,
                 "\n\n## {}\n\n| statement | title | test | in the course |\n| --- | --- | --- | --- |\n",
@@ -117,8 +124,7 @@ pub fn errata(expander: &mut Expander<'_>, page: &Page) -> String {
 pub fn slide_map(expander: &mut Expander<'_>, page: &Page) -> String {
     let mut rows: Vec<(Topic, String, String, String)> = Vec::new();
     for (spot, theorem) in in_order(expander) {
-        let home = &expander.pages[spot.page];
-        let chapter = format!("[{}]({})", home.name, page.link(&home.html()));
+        let chapter = page_link(expander, page, &expander.pages[spot.page]);
         let mut link = link(expander, page, &spot, &theorem);
         if !theorem.errata.is_empty() {
             link.push_str(" (erratum)");
@@ -130,7 +136,7 @@ pub fn slide_map(expander: &mut Expander<'_>, page: &Page) -> String {
     }
     for remark in &expander.survey.remarks {
         let home = &expander.pages[remark.page];
-        let chapter = format!("[{}]({})", home.name, page.link(&home.html()));
+        let chapter = page_link(expander, page, home);
         let address = page.link(&format!("{}#{}", home.html(), remark.anchor));
         let link = format!("[Remark]({address})");
         rows.push((remark.topic.clone(), chapter, link, String::new()));
@@ -194,9 +200,8 @@ pub fn glossary(expander: &mut Expander<'_>, page: &Page) -> String {
 }
 
 fn chapter_link(expander: &mut Expander<'_>, page: &Page, name: &str, place: Place<'_>) -> String {
-    let home = expander.pages.iter().find(|p| p.chapter() == name);
-    if let Some(home) = home {
-        return format!("[{}]({})", home.name, page.link(&home.html()));
+    if let Some(home) = first_of(expander.pages, name) {
+        return page_link(expander, page, home);
     }
     let message = format!("the book has no chapter `{name}`");
     expander.problems.add(place.file, place.first_line, message);

@@ -3,6 +3,7 @@
 
 pub mod api;
 pub mod assets;
+pub mod chapter_checks;
 pub mod chapters;
 pub mod checks;
 pub mod complaints;

@@ -28,6 +28,12 @@ impl Page {
         first.trim_end_matches(".md").to_owned()
     }
 
+    /// Whether it is a page of this chapter: `<chapter>.md` or a page of the folder `<chapter>/`.
+    #[must_use]
+    pub fn is_of(&self, chapter: &str) -> bool {
+        self.chapter() == chapter
+    }
+
     /// The written page, relative to the book's root, with forward slashes.
     #[must_use]
     pub fn html(&self) -> String {
@@ -47,6 +53,21 @@ impl Page {
             Some(anchor) if anchor.starts_with('#') => anchor.to_owned(),
             _ => format!("{}{target}", self.to_root()),
         }
+    }
+}
+
+/// The first page of a chapter, which bears the chapter's name in the table of contents.
+#[must_use]
+pub fn first_of<'p>(pages: &'p [Page], chapter: &str) -> Option<&'p Page> {
+    pages.iter().find(|page| page.is_of(chapter))
+}
+
+/// The name under which other pages refer to `page`: a further page of a chapter bears the chapter's name before its own.
+#[must_use]
+pub fn full_name(pages: &[Page], page: &Page) -> String {
+    match first_of(pages, &page.chapter()) {
+        Some(first) if first.path != page.path => format!("{}: {}", first.name, page.name),
+        _ => page.name.clone(),
     }
 }
 
@@ -101,6 +122,27 @@ mod tests {
         assert_eq!(deep.chapter(), "bspline");
         assert_eq!(deep.link("coons.html#a"), "../coons.html#a");
         assert_eq!(deep.link("bspline/knots.html#a"), "#a");
+    }
+
+    #[test]
+    fn the_pages_of_a_folder_bear_the_chapters_name() {
+        let named = |path: &str, name: &str| Page {
+            name: name.into(),
+            ..page(path)
+        };
+        let pages = [
+            named("coons.md", "Coons patches"),
+            named("bspline.md", "B-splines"),
+            named("bspline/basis.md", "The basis"),
+        ];
+        let names = pages.each_ref().map(|page| full_name(&pages, page));
+        assert_eq!(
+            names,
+            ["Coons patches", "B-splines", "B-splines: The basis"]
+        );
+        let first = first_of(&pages, "bspline").map(Page::html);
+        assert_eq!(first.as_deref(), Some("bspline.html"));
+        assert!(first_of(&pages, "mesh").is_none());
     }
 
     #[test]

@@ -13,6 +13,7 @@ use anyhow::{Context, Result};
 use mdbook_driver::MDBook;
 use mdbook_driver::book::BookItem;
 use mdbook_driver::config::Config;
+use std::collections::HashMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -62,20 +63,24 @@ fn write(
     let survey = Survey::new(&pages, &mut problems);
     checks::pages(root, &pages, &survey, &mut problems);
     let mut expander = Expander::new(&mut material, &pages, &survey, &mut problems);
-    let mut texts: Vec<String> = (0..pages.len()).map(|index| expander.page(index)).collect();
+    let mut texts: HashMap<&Path, String> = HashMap::new();
+    for (index, page) in pages.iter().enumerate() {
+        texts.insert(&page.path, expander.page(index));
+    }
     checks::unused(&mut expander);
-    texts.reverse();
+    // By path: mdBook comes to the pages below a page before it comes to that page.
     book.book.for_each_chapter_mut(|chapter| {
-        if chapter.path.is_some() {
-            chapter.content = texts.pop().unwrap_or_default();
-        }
+        let text = chapter.path.as_deref().and_then(|path| texts.remove(path));
+        chapter.content = text.unwrap_or_default();
     });
     let (result, complaints) = complaints::hear(|| book.build());
     result.context("mdBook could not write the pages")?;
     for complaint in complaints {
+        // The longest path: `basis.md` is a part of `bspline/basis.md`.
         let page = pages
             .iter()
-            .find(|page| complaint.contains(&slashed(&page.path)));
+            .filter(|page| complaint.contains(&slashed(&page.path)))
+            .max_by_key(|page| page.path.as_os_str().len());
         let file = page.map_or(Path::new("book/book.toml"), |page| &page.file);
         problems.add(file, 1, format!("mdBook: {complaint}"));
     }

@@ -6,7 +6,7 @@ use crate::markdown::fenced;
 use crate::measure;
 use crate::page::Page;
 use crate::problem::Place;
-use crate::tables::{Exercise, ExerciseList};
+use crate::tables::{Exercise, ExerciseList, field_line};
 use std::fmt::Write as _;
 use std::path::Path;
 
@@ -29,6 +29,16 @@ pub fn exercises(
         expander.problems.add(place.file, place.first_line, message);
         return None;
     };
+    if list.page != page.html() {
+        let message = format!(
+            "page = \"{}\", but `{{{{#exercises {chapter}}}}}` stands in {}: expected page = \"{}\"",
+            list.page,
+            page.file.display(),
+            page.html()
+        );
+        let line = field_line(&list.text, "page", &list.page);
+        expander.problems.add(&list.file, line, message);
+    }
     let mut text = String::from("\n\n");
     for (index, exercise) in list.exercises.iter().enumerate() {
         text.push_str(&exercise_box(expander, &list, exercise, index, page));

@@ -12,6 +12,8 @@ pub enum Colour {
     Ink,
     /// Ink at low strength: grids, guides, hidden lines.
     Faint,
+    /// The colour of the page itself: a halo of it keeps ink readable over a picture, whatever the theme.
+    Page,
     /// `#0072b2`.
     Blue,
     /// `#d55e00`.
@@ -49,6 +51,8 @@ impl Colour {
     pub fn css(self) -> String {
         let name = match self {
             Self::Ink => return "currentColor".to_string(),
+            // The books' themes name their background so.
+            Self::Page => return "var(--bg, #ffffff)".to_string(),
             Self::Faint => "faint",
             Self::Blue => "blue",
             Self::Vermilion => "vermilion",
@@ -61,12 +65,14 @@ impl Colour {
         format!("var(--figure-{name}, #{red:02x}{green:02x}{blue:02x})")
     }
 
-    /// The colour as sRGB bytes, for pictures. Ink becomes a grey that is read on white and on navy alike.
+    /// The colour as sRGB bytes, for pictures. Ink becomes a grey that is read on white and on navy alike, the
+    /// page white.
     #[must_use]
     pub fn rgb(self) -> [u8; 3] {
         match self {
             Self::Ink => [0x78, 0x7e, 0x8a],
             Self::Faint => [0x8c, 0x92, 0x9e],
+            Self::Page => [0xff; 3],
             Self::Blue => [0x00, 0x72, 0xb2],
             Self::Vermilion => [0xd5, 0x5e, 0x00],
             Self::Green => [0x00, 0x9e, 0x73],

@@ -8,6 +8,7 @@ use serde::Deserialize;
 
 use crate::error::GraderError;
 use crate::house::House;
+use crate::theorem;
 
 /// The exercises of one chapter, in the order of the text.
 #[derive(Clone, Debug, Deserialize)]
@@ -83,13 +84,15 @@ impl Chapter {
         chapter.map_err(|message| GraderError::Table { path, message })
     }
 
-    /// All chapters with exercises, in the order of their names.
+    /// All chapters with exercises, in the order of the book's summary; those it does not list come last.
     ///
     /// # Errors
     ///
     /// As [`Chapter::read`].
     pub fn read_all(house: &House) -> Result<Vec<Self>, GraderError> {
-        let names = chapter_names(house)?;
+        let mut names = chapter_names(house)?;
+        let summary = theorem::summary(house);
+        names.sort_by_key(|name| place(name, &summary));
         names.iter().map(|name| Self::read(house, name)).collect()
     }
 
@@ -153,6 +156,13 @@ fn chapter_names(house: &House) -> Result<Vec<String>, GraderError> {
     }
     names.sort();
     Ok(names)
+}
+
+/// Where the summary first lists a page of the chapter; behind everything where it lists none.
+fn place(chapter: &str, summary: &str) -> usize {
+    let mut links = theorem::links(summary);
+    let position = links.position(|link| theorem::is_page_of(chapter, link));
+    position.unwrap_or(usize::MAX)
 }
 
 fn listed<'a>(names: impl Iterator<Item = &'a str>) -> String {

@@ -157,9 +157,8 @@ pub fn cited(chapter: &str, page: &str, text: &str) -> Vec<Citation> {
 /// The citations of the chapter's pages, in the order of the book's summary.
 fn citations(house: &House, chapter: &str) -> Result<Vec<Citation>, GraderError> {
     let folder = house.book_text();
-    let summary = fs::read_to_string(folder.join("SUMMARY.md")).unwrap_or_default();
     let mut citations = Vec::new();
-    for page in pages(chapter, &summary) {
+    for page in pages(chapter, &summary(house)) {
         let path = folder.join(&page);
         if path.is_file() {
             let text = fs::read_to_string(&path).map_err(GraderError::file("read", &path))?;
@@ -170,21 +169,33 @@ fn citations(house: &House, chapter: &str) -> Result<Vec<Citation>, GraderError>
     Ok(citations)
 }
 
+/// The book's summary; empty where there is none.
+#[must_use]
+pub fn summary(house: &House) -> String {
+    fs::read_to_string(house.book_text().join("SUMMARY.md")).unwrap_or_default()
+}
+
+/// The pages that a summary links to, in its order.
+pub fn links(summary: &str) -> impl Iterator<Item = &str> {
+    let links = summary.split("](").skip(1);
+    let links = links.filter_map(|rest| rest.split_once(')'));
+    links.map(|(link, _)| link.trim_start_matches("./"))
+}
+
+/// Whether the page is `<chapter>.md` or stands in the folder `<chapter>/`.
+#[must_use]
+pub fn is_page_of(chapter: &str, page: &str) -> bool {
+    let rest = page.strip_prefix(chapter);
+    rest.is_some_and(|rest| rest == ".md" || rest.starts_with('/'))
+}
+
 /// The chapter's pages `coons.md` and `coons/*.md` among the links of the summary; the first alone without a summary.
 #[must_use]
 pub fn pages(chapter: &str, summary: &str) -> Vec<String> {
-    let (single, folder) = (format!("{chapter}.md"), format!("{chapter}/"));
-    let links = summary
-        .split("](")
-        .skip(1)
-        .filter_map(|rest| rest.split_once(')'));
-    let links = links.map(|(link, _)| link.trim_start_matches("./"));
-    let mut pages: Vec<String> = links
-        .filter(|link| *link == single || link.starts_with(&folder))
-        .map(str::to_owned)
-        .collect();
+    let links = links(summary).filter(|link| is_page_of(chapter, link));
+    let mut pages: Vec<String> = links.map(str::to_owned).collect();
     if pages.is_empty() {
-        pages.push(single);
+        pages.push(format!("{chapter}.md"));
     }
     pages
 }

@@ -86,9 +86,26 @@ fn a_stub_is_not_a_failure() {
         "panicked at src/bilinear.rs:9:5:\nnot yet implemented: bilinear_point: the point\n";
     let message = "bilinear_point: the point".to_owned();
     assert_eq!(failed(errors), Outcome::NotWritten(message.clone()));
+    let got = REPORT
+        .lines()
+        .find(|line| line.starts_with("got: "))
+        .expect("a report says what it got");
+    let report = REPORT.replace(
+        got,
+        &format!("got: a panic: not yet implemented: {message}"),
+    );
+    assert_eq!(
+        failed(&format!("{errors}{report}")),
+        Outcome::NotWritten(message)
+    );
+}
+
+#[test]
+fn a_failure_stays_one_where_the_search_for_its_mistake_meets_another_stub() {
+    let errors = "panicked at src/basis.rs:9:5:\nnot yet implemented: cox_de_boor\n";
     assert_eq!(
         failed(&format!("{errors}{REPORT}")),
-        Outcome::NotWritten(message)
+        Outcome::Failed(forgotten_s3())
     );
 }
 

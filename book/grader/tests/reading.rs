@@ -215,6 +215,8 @@ fn the_pages_of_a_chapter_come_from_the_summary() {
         ["coons.md", "coons/twists.md"]
     );
     assert_eq!(theorem::pages("coons", ""), ["coons.md"]);
+    assert!(theorem::is_page_of("coons", "coons/twists.md"));
+    assert!(!theorem::is_page_of("coons", "coons_patches.md"));
 }
 
 #[test]

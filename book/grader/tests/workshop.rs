@@ -195,6 +195,45 @@ fn theorems_come_from_all_files_of_the_chapter_and_grade_their_exercises() {
 }
 
 #[test]
+fn chapters_and_theorems_of_several_pages_come_in_the_order_of_the_book() {
+    let (root, house) = house("several-pages");
+    let templates = root.join("book/exercises/bspline");
+    let table = TABLE.replace("coons", "bspline");
+    write(&templates.join("exercise.toml"), &table);
+    write(&templates.join("src/bilinear.rs"), "stub\n");
+    write(&templates.join("solutions/bilinear.rs"), "solution\n");
+    let test = |name: &str| format!("/// **{name}.** Text.\n#[test]\nfn {name}() {{}}\n");
+    let tests = root.join("tests/bspline");
+    write(&tests.join("basis_theorems.rs"), &test("hat"));
+    write(&tests.join("curve_theorems.rs"), &test("hull"));
+    write(&tests.join("surface_theorems.rs"), &test("corners"));
+    let pages = root.join("book/src");
+    let summary = "- [Coons](coons.md)\n- [B-splines](bspline.md)\n  - [Surfaces](bspline/surfaces.md)\n  - [Basis](bspline/basis.md)\n";
+    write(&pages.join("SUMMARY.md"), summary);
+    write(&pages.join("bspline.md"), "{{#theorem bspline::hull}}");
+    write(&pages.join("bspline/basis.md"), "{{#theorem bspline::hat}}");
+    write(
+        &pages.join("bspline/surfaces.md"),
+        "{{#theorem bspline::corners}}",
+    );
+
+    let chapters = Chapter::read_all(&house).expect("the tables are right");
+    let names: Vec<&str> = chapters.iter().map(|one| one.name.as_str()).collect();
+    assert_eq!(names, ["coons", "bspline"]);
+    let theorems = theorem::read(&house, &chapters[1]).expect("the files are there");
+    let places: Vec<(&str, &str)> = theorems
+        .iter()
+        .map(|theorem| (theorem.name.as_str(), theorem.page.as_str()))
+        .collect();
+    let expected = [
+        ("hull", "bspline.html"),
+        ("corners", "bspline/surfaces.html"),
+        ("hat", "bspline/basis.html"),
+    ];
+    assert_eq!(places, expected);
+}
+
+#[test]
 fn unknown_names_are_answered_with_the_known_ones() {
     let (_, house) = house("unknown");
     let named = |chapter: &str, exercise: &str| {

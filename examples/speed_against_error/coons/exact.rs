@@ -4,9 +4,9 @@ use facette::coons::{Boundary, Corners, HermiteBoundary};
 use facette::curve::{BezierCurve, Curve};
 use num_traits::{One, Zero};
 
+use super::exact_patch::{self, BicubicData, BilinearData};
 use super::inputs::Scene;
 use crate::common::oracle::{Big, big, big_bernstein, big_bezier, big_combination, big_point};
-use crate::exact_patch::{self, BicubicData, BilinearData};
 use crate::float_inputs::{FloatPoint, coordinates};
 use crate::harness::ExactPoint;
 

@@ -2,4 +2,5 @@
 
 mod refusals;
 mod sample;
+mod several_pages;
 mod whole_book;

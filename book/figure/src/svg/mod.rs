@@ -239,6 +239,15 @@ impl Drawing {
         self.element(&element)
     }
 
+    /// [`Drawing::text`] over a halo in the colour of the page, which keeps it readable over a picture.
+    #[must_use]
+    pub fn haloed_text(self, at: [f64; 2], markup: &str, size: f64, anchor: Anchor) -> Self {
+        let halo = Stroke::new(Colour::Page, 0.3 * size).attributes();
+        let under = text::element(at, markup, size, anchor, Colour::Page);
+        let under = under.replacen("<text", &format!("<text {halo}"), 1);
+        self.element(&under).text(at, markup, size, anchor)
+    }
+
     /// A picture in the rectangle with this upper left corner and size.
     #[must_use]
     pub fn picture(self, [x, y]: [f64; 2], [width, height]: [f64; 2], picture: &Picture) -> Self {

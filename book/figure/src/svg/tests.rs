@@ -26,6 +26,7 @@ fn everything() -> Drawing {
         .circle([1.0, 2.0], 3.0, stroke())
         .arrow([0.0, 0.0], [10.0, 0.0], stroke())
         .text([5.0, 5.0], "a < b", 12.0, Anchor::End)
+        .haloed_text([5.0, 9.0], "c & d", 12.0, Anchor::Start)
         .picture([0.0, 0.0], [20.0, 10.0], &picture())
 }
 
@@ -118,4 +119,20 @@ fn signs_stand_between_panels() {
         body.contains(r#"<text x="375.00""#) && body.contains(">=</text>"),
         "{body}"
     );
+}
+
+#[test]
+fn a_haloed_text_stands_in_ink_over_itself_in_the_colour_of_the_page() {
+    let svg = Drawing::new(10.0, 10.0)
+        .haloed_text([1.0, 2.0], "*Q*_1", 10.0, Anchor::Start)
+        .to_svg("t", "d");
+    let texts: Vec<_> = svg
+        .lines()
+        .filter(|line| line.starts_with("<text"))
+        .collect();
+    let [under, over] = texts[..] else {
+        unreachable!("a halo and its text, not {texts:?}")
+    };
+    assert!(under.contains(r#"stroke="var(--bg, #ffffff)" stroke-width="3.00""#));
+    assert!(over.contains(r#"fill="currentColor""#) && !over.contains("stroke"));
 }
