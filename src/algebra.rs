@@ -391,6 +391,13 @@ where
     Some(divided(scaled, scaled.dot(scaled).sqrt()))
 }
 
+/// The larger of two numbers; NaN where one is NaN.
+#[inline]
+pub(crate) fn larger<S: Scalar>(a: S, b: S) -> S {
+    let b_is_nan = b.partial_cmp(&b).is_none();
+    if b > a || b_is_nan { b } else { a }
+}
+
 /// `vector / divisor` coordinate by coordinate: the reciprocal of a denormal number would overflow.
 pub(crate) fn divided<P: Vector3>(vector: P, divisor: P::Scalar) -> P {
     P::from_coordinates([0, 1, 2].map(|index| vector.coordinate(index) / divisor))

@@ -26,6 +26,16 @@ impl fmt::Display for Direction {
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum BsplineError<S> {
+    /// A degree or a number of control points is larger than any use.
+    #[error("{what} {found}: at most {allowed} is possible")]
+    TooLarge {
+        /// What is too large.
+        what: &'static str,
+        /// How large it is.
+        found: usize,
+        /// How large it may be.
+        allowed: usize,
+    },
     /// There are not enough knots for one span.
     #[error("{found} knots of degree {degree}: at least 2 (p + 1) = {needed} are needed")]
     TooFewKnots {
@@ -143,10 +153,30 @@ pub enum BsplineError<S> {
         /// Its end.
         end: S,
     },
+    /// A knot vector that is to refine another has another degree.
+    #[error(
+        "the knots that are to be finer have degree {found}, those of the curve {needed}: both must be the same"
+    )]
+    OtherDegree {
+        /// The degree of the curve.
+        needed: usize,
+        /// The degree of the other knots.
+        found: usize,
+    },
+    /// A knot vector that is to refine another has another domain.
+    #[error(
+        "the knots that are to be finer have the domain {found:?}, those of the curve {needed:?}: both must be the same"
+    )]
+    OtherDomain {
+        /// The domain of the curve.
+        needed: [S; 2],
+        /// The domain of the other knots.
+        found: [S; 2],
+    },
     /// A knot vector does not refine another.
     #[error(
-        "the knot {knot:?} stands {found} times in the knots that are to be finer, and {needed} times in those of the curve; \
-         degree and domain must be the same too"
+        "the knot {knot:?} stands {found} times in the knots that are to be finer: at least {needed} times, as in those of \
+         the curve, is needed"
     )]
     NotFiner {
         /// The knot.

@@ -5,6 +5,9 @@ use super::basis::find_span;
 use crate::algebra::Scalar;
 use crate::curve::count;
 
+/// The highest degree of a knot vector: the basis takes p² steps, and loses `5p` roundoffs.
+const HIGHEST_DEGREE: usize = (1 << 16) - 1;
+
 /// A degree `p` and the knots `u₀ <= u₁ <= … <= u_r` of a B-spline.
 ///
 /// # Shape
@@ -37,10 +40,11 @@ impl<S: Scalar> KnotVector<S> {
     ///
     /// # Errors
     ///
-    /// [`BsplineError::TooFewKnots`], [`BsplineError::KnotNotFinite`], [`BsplineError::KnotsDecrease`],
+    /// [`BsplineError::TooLarge`] above degree 65535, [`BsplineError::TooFewKnots`], [`BsplineError::KnotNotFinite`], [`BsplineError::KnotsDecrease`],
     /// [`BsplineError::MultiplicityTooHigh`] and [`BsplineError::EmptyDomain`] as they say, for the first knot at fault.
     pub fn new(degree: usize, knots: Vec<S>) -> Result<Self, BsplineError<S>> {
-        let needed = degree.saturating_add(1).saturating_mul(2);
+        check_degree(degree)?;
+        let needed = 2 * (degree + 1);
         let found = knots.len();
         if found < needed {
             return Err(BsplineError::TooFewKnots {
@@ -81,6 +85,7 @@ impl<S: Scalar> KnotVector<S> {
     ///
     /// As [`KnotVector::new`], whose indices count the repeated knots too.
     pub fn clamped(degree: usize, breaks: &[S]) -> Result<Self, BsplineError<S>> {
+        check_degree(degree)?;
         let (Some(&first), Some(&last)) = (breaks.first(), breaks.last()) else {
             return Self::new(degree, Vec::new());
         };
@@ -96,7 +101,8 @@ impl<S: Scalar> KnotVector<S> {
     ///
     /// # Errors
     ///
-    /// [`BsplineError::TooFewKnots`] where there are not more control points than the degree says.
+    /// [`BsplineError::TooFewKnots`] where there are not more control points than the degree says, [`BsplineError::TooLarge`] for a degree
+    /// above 65535 or more control points than 32 bits count.
     pub fn clamped_uniform(degree: usize, control_points: usize) -> Result<Self, BsplineError<S>> {
         let spans = spans_for(degree, control_points)?;
         let breaks: Vec<S> = (0..=spans).map(|index| S::ratio(index, spans)).collect();
@@ -107,7 +113,7 @@ impl<S: Scalar> KnotVector<S> {
     ///
     /// # Errors
     ///
-    /// [`BsplineError::TooFewKnots`] where there are not more control points than the degree says.
+    /// As [`KnotVector::clamped_uniform`].
     pub fn uniform(degree: usize, control_points: usize) -> Result<Self, BsplineError<S>> {
         let spans = spans_for(degree, control_points)?;
         let degree_number = count(degree);
@@ -122,6 +128,7 @@ impl<S: Scalar> KnotVector<S> {
     ///
     /// As [`KnotVector::new`].
     pub fn periodic(degree: usize, breaks: &[S]) -> Result<Self, BsplineError<S>> {
+        check_degree(degree)?;
         let spans = count(breaks.len().saturating_sub(1));
         let (Some(&first), Some(&last), 1..) = (breaks.first(), breaks.last(), spans) else {
             return Self::new(degree, breaks.to_vec());
@@ -139,7 +146,15 @@ impl<S: Scalar> KnotVector<S> {
     }
 
     /// The knots `{0, …, 0, 1, …, 1}`, `p + 1` of each: the basis is Bernstein's.
+    ///
+    /// # Panics
+    ///
+    /// Above degree 65535.
     pub fn bezier(degree: usize) -> Self {
+        assert!(
+            degree <= HIGHEST_DEGREE,
+            "degree {degree}: at most {HIGHEST_DEGREE} is possible"
+        );
         let ends = [S::zero(), S::one()];
         let knots = ends
             .into_iter()
@@ -238,11 +253,24 @@ impl<S: Scalar> KnotVector<S> {
             return Err(BsplineError::UnusableDomain { start, end });
         }
         let old = self.domain();
-        let moved = |&knot: &S| {
+        let mut knots: Vec<S> = Vec::with_capacity(self.knots.len());
+        for &knot in &self.knots {
             let [falling, rising] = self.weights(knot, old);
-            start * falling + end * rising
-        };
-        Self::new(self.degree, self.knots.iter().map(moved).collect())
+            let moved = start * falling + end * rising;
+            // Rounding must not exchange neighbours, nor push them over the end.
+            let bounded = if knot <= old[1] && moved > end {
+                end
+            } else {
+                moved
+            };
+            let previous = knots.last().copied().unwrap_or(bounded);
+            knots.push(if bounded < previous {
+                previous
+            } else {
+                bounded
+            });
+        }
+        Self::new(self.degree, knots)
     }
 
     /// The knots with one more at `u`.
@@ -296,14 +324,36 @@ fn halved_weights<S: Scalar>(u: S, ends: [S; 2]) -> [S; 2] {
 
 /// The number of spans of equal length that give so many control points.
 fn spans_for<S>(degree: usize, control_points: usize) -> Result<i32, BsplineError<S>> {
+    check_degree(degree)?;
     if control_points <= degree {
         return Err(BsplineError::TooFewKnots {
             degree,
-            needed: degree.saturating_add(1).saturating_mul(2),
-            found: degree.saturating_add(control_points).saturating_add(1),
+            needed: 2 * (degree + 1),
+            found: degree + control_points + 1,
+        });
+    }
+    // The largest knot is counted in 32 bits, the degree beside it.
+    let allowed = i32::MAX as usize - HIGHEST_DEGREE;
+    if control_points > allowed {
+        return Err(BsplineError::TooLarge {
+            what: "number of control points",
+            found: control_points,
+            allowed,
         });
     }
     Ok(count(control_points - degree))
+}
+
+/// Refuses degrees that no computation could use.
+fn check_degree<S>(degree: usize) -> Result<(), BsplineError<S>> {
+    if degree <= HIGHEST_DEGREE {
+        return Ok(());
+    }
+    Err(BsplineError::TooLarge {
+        what: "degree",
+        found: degree,
+        allowed: HIGHEST_DEGREE,
+    })
 }
 
 /// Checks that the knots are finite, do not decrease, and stand at most `degree + 1` times.

@@ -49,6 +49,7 @@ mod trimmed;
 
 pub use basis::{basis_derivatives, basis_functions, cox_de_boor, find_span};
 pub use batch::SurfaceEvaluator;
+pub(crate) use curve::piece_blossom;
 pub use curve::{BezierPiece, BsplineCurve, blossom, curve_point, de_boor_point};
 pub use error::{BsplineError, Direction};
 pub use knots::KnotVector;
@@ -57,4 +58,5 @@ pub use periodic::{Closing, PeriodicError, PeriodicSurface, closed_surface};
 pub use rational::{Homogeneous, RationalCurve, RationalError, RationalSurface, circle, sphere};
 pub use refine::insert_knot;
 pub use surface::{BsplineSurface, surface_point};
+pub(crate) use trimmed::turn;
 pub use trimmed::{Place, TrimError, TrimmedSurface};

@@ -5,7 +5,7 @@ use num_traits::Zero;
 use super::curve::check_points;
 use super::refine;
 use super::{BsplineError, BsplineSurface, Direction, KnotVector};
-use crate::algebra::VectorSpace;
+use crate::algebra::{VectorSpace, larger};
 use crate::surface::Surface;
 
 /// One polynomial of a B-spline surface, as the Bézier patch that it is.
@@ -142,13 +142,12 @@ impl<P: VectorSpace> BsplineSurface<P> {
         self.copy_local_net(spans, &mut net);
         let along = |axis: usize| net.iter().map(move |point| point.coordinate(axis));
         let lowest = |a: P::Scalar, b: P::Scalar| if b < a { b } else { a };
-        let highest = |a: P::Scalar, b: P::Scalar| if b > a { b } else { a };
         let extreme = |choose: &dyn Fn(P::Scalar, P::Scalar) -> P::Scalar| {
             (0..P::DIMENSION)
                 .map(|axis| along(axis).reduce(choose).unwrap_or_else(P::Scalar::zero))
                 .collect()
         };
-        [extreme(&lowest), extreme(&highest)]
+        [extreme(&lowest), extreme(&larger)]
     }
 
     /// The surface of the control points that `map` makes of its own: affine maps move the surface as they move the points.

@@ -7,7 +7,7 @@ use num_traits::{One, Zero};
 use super::basis::find_span;
 use super::curve::blossom;
 use super::{BsplineError, KnotVector};
-use crate::algebra::{Scalar, VectorSpace};
+use crate::algebra::{Scalar, VectorSpace, larger};
 use crate::curve::count;
 
 /// The data of a curve.
@@ -52,12 +52,19 @@ pub(super) fn check_finer<S: Scalar>(
     knots: &KnotVector<S>,
     finer: &KnotVector<S>,
 ) -> Result<(), BsplineError<S>> {
-    let [start, end] = knots.domain();
-    let is_alike = finer.degree() == knots.degree() && finer.domain() == knots.domain();
+    let [needed, found] = [knots.degree(), finer.degree()];
+    if found != needed {
+        return Err(BsplineError::OtherDegree { needed, found });
+    }
+    let [needed, found] = [knots.domain(), finer.domain()];
+    if found != needed {
+        return Err(BsplineError::OtherDomain { needed, found });
+    }
+    let [start, end] = needed;
     for (knot, needed) in knots.multiplicities() {
         let found = finer.multiplicity(knot);
         let is_inside = start < knot && knot < end;
-        if (!is_alike && knot == start) || (is_inside && found < needed) {
+        if is_inside && found < needed {
             return Err(BsplineError::NotFiner {
                 knot,
                 needed,
@@ -141,15 +148,13 @@ pub(super) fn bezier_points<P: VectorSpace>(
     points
 }
 
-/// Without one copy of the inner knot `u`: from both sides, the control points that knot insertion would have come from; then the
-/// insertion, as the proof.
+/// Without one copy of the inner knot `u`, where inserting it again gives the same control points up to `tolerance`.
 pub(super) fn remove_knot<P: VectorSpace>(
     knots: &KnotVector<P::Scalar>,
     control_points: &[P],
     u: P::Scalar,
     tolerance: P::Scalar,
 ) -> Result<KnotsAndPoints<P>, BsplineError<P::Scalar>> {
-    let degree = knots.degree();
     let [start, end] = knots.domain();
     let multiplicity = knots.multiplicity(u);
     if multiplicity == 0 || u <= start || u >= end {
@@ -158,26 +163,11 @@ pub(super) fn remove_knot<P: VectorSpace>(
     let place = knots.knots().partition_point(|&knot| knot <= u) - 1;
     let mut fewer = knots.knots().to_vec();
     fewer.remove(place);
-    let fewer = KnotVector::new(degree, fewer)?;
+    let fewer = KnotVector::new(knots.degree(), fewer)?;
     // Inserting `u` into `fewer` mixes the points number `first` to `last`.
-    let [first, last] = [place - degree, place + 1 - multiplicity];
-    let weights = |i: usize| fewer.weights(u, [fewer.knots()[i], fewer.knots()[i + degree]]);
-    let mut points = control_points.to_vec();
-    let middle = first.midpoint(last);
-    points.remove(middle);
-    for i in first..middle {
-        let [falling, rising] = weights(i);
-        points[i] = divided(
-            control_points[i].minus(points[i - 1].times(falling)),
-            rising,
-        );
-    }
-    for i in (middle + 1..last).rev() {
-        let [falling, rising] = weights(i);
-        points[i - 1] = divided(control_points[i].minus(points[i].times(rising)), falling);
-    }
-    let again = insert_knot(&fewer, &points, u);
-    let distance = again
+    let [first, last] = [place - knots.degree(), place + 1 - multiplicity];
+    let points = without_mixing(&fewer, control_points, u, [first, last]);
+    let distance = insert_knot(&fewer, &points, u)
         .iter()
         .zip(control_points)
         .map(|(new, old)| new.minus(*old).largest_coordinate())
@@ -192,10 +182,30 @@ pub(super) fn remove_knot<P: VectorSpace>(
     })
 }
 
-/// The larger of two numbers; NaN where one is NaN.
-fn larger<S: Scalar>(a: S, b: S) -> S {
-    let b_is_nan = b.partial_cmp(&b).is_none();
-    if b > a || b_is_nan { b } else { a }
+/// The control points over the knots `fewer` from which the insertion of `u` would have mixed those from `first` to `last`, not included:
+/// solved from both sides up to the middle, which one equation more than unknowns leaves to the proof.
+fn without_mixing<P: VectorSpace>(
+    fewer: &KnotVector<P::Scalar>,
+    control_points: &[P],
+    u: P::Scalar,
+    [first, last]: [usize; 2],
+) -> Vec<P> {
+    let degree = fewer.degree();
+    let weights = |i: usize| fewer.weights(u, [fewer.knots()[i], fewer.knots()[i + degree]]);
+    let middle = first.midpoint(last);
+    let mut points = control_points.to_vec();
+    points.remove(middle);
+    for i in first..middle {
+        let [falling, rising] = weights(i);
+        let rest = control_points[i].minus(points[i - 1].times(falling));
+        points[i] = divided(rest, rising);
+    }
+    for i in (middle + 1..last).rev() {
+        let [falling, rising] = weights(i);
+        let rest = control_points[i].minus(points[i].times(rising));
+        points[i - 1] = divided(rest, falling);
+    }
+    points
 }
 
 /// The vector divided by a number.
@@ -246,20 +256,36 @@ pub(super) fn elevate<P: VectorSpace>(
 }
 // ANCHOR_END: elevate
 
+/// Factors whose product is `factor / width`: one, or two where their product overflows and only a difference that is small, or zero,
+/// makes a number of it. The second is 2⁶⁰, which brings denormal widths among the normal numbers.
+fn slope_factors<S: Scalar>(factor: S, width: S) -> [S; 2] {
+    let slope = factor / width;
+    if Scalar::is_finite(slope) {
+        return [slope, S::one()];
+    }
+    let scale = S::from_i32(1 << 30) * S::from_i32(1 << 30);
+    [factor / (width * scale), scale]
+}
+
 /// Replaces the control points of a span, of which `differences − 1` times the differences have been taken, by the
-/// differences of order `differences`, in all places but the last that held one.
+/// differences of order `differences`, in all places but the last that held one. The control points are groups of `length`
+/// neighbours in `points`: single points for a curve, columns for the local net of a surface.
 pub(super) fn differentiate<P: VectorSpace>(
     knots: &KnotVector<P::Scalar>,
     span: usize,
     differences: usize,
+    length: usize,
     points: &mut [P],
 ) {
     let degree = knots.degree() + 1 - differences;
     let factor = P::Scalar::from_i32(count(degree));
     for index in 0..degree {
         let [start, end] = [span + 1 + index - degree, span + 1 + index];
-        let width = knots.knots()[end] - knots.knots()[start];
-        points[index] = points[index + 1].minus(points[index]).times(factor / width);
+        let slopes = slope_factors(factor, knots.knots()[end] - knots.knots()[start]);
+        for place in index * length..(index + 1) * length {
+            let difference = points[place + length].minus(points[place]);
+            points[place] = slopes.iter().fold(difference, |d, &slope| d.times(slope));
+        }
     }
 }
 
@@ -279,7 +305,8 @@ pub(super) fn derivative<P: VectorSpace>(
     for (i, pair) in control_points.windows(2).enumerate() {
         let [start, end] = [old[i + 1], old[i + degree + 1]];
         if start < end {
-            points.push(pair[1].minus(pair[0]).times(factor / (end - start)));
+            let [slope, scale] = slope_factors(factor, end - start);
+            points.push(pair[1].minus(pair[0]).times(slope).times(scale));
             new_knots.push(end);
         }
     }

@@ -1,7 +1,8 @@
 //! What a surface must know of itself to be tessellated within a tolerance.
 
+use super::TessellationError;
 use crate::algebra::{Real, Vector3};
-use crate::bspline::Closing;
+use crate::bspline::{Closing, Direction};
 use crate::surface::Surface;
 
 /// How a surface goes on across a parameter line.
@@ -42,6 +43,12 @@ pub trait BoundedSurface: Surface {
     /// The lines where smoothness may end, in u and in v: increasing, from the start of the domain to its end.
     fn break_lines(&self) -> [Vec<Break<Self::Scalar>>; 2];
 
+    /// Whether a straight side of a piece, one of whose intervals is a single parameter, is one point.
+    fn is_collapsed(&self, side: [[Self::Scalar; 2]; 2]) -> bool {
+        let [[u0, u1], [v0, v1]] = side;
+        self.point(u0, v0) == self.point(u1, v1)
+    }
+
     /// The function that bounds the second derivatives on rectangles, each of which lies in one piece.
     ///
     /// A rectangle without extent in one direction is a segment of a parameter line; the bound along it, from both sides where it
@@ -55,6 +62,8 @@ pub trait BoundedSurface: Surface {
     }
 
     /// The point `S(u, v)` as the piece `[[u0, u1], [v0, v1]]` has it, `(u, v)` being in that piece: on the side of a tear that the piece is on.
+    ///
+    /// A surface with [`Continuity::Torn`] breaks must implement this: without it, both sides of a tear get the same point.
     fn point_in(
         &self,
         _piece: [[Self::Scalar; 2]; 2],
@@ -139,9 +148,21 @@ where
     }
 
     /// The same with these breaks, which include the ends of the domain.
-    #[must_use]
-    pub fn with_breaks(self, breaks: [Vec<Break<T::Scalar>>; 2]) -> Self {
-        Self { breaks, ..self }
+    ///
+    /// # Errors
+    ///
+    /// [`TessellationError::TornBreak`] where a break is [`Continuity::Torn`]: a surface by itself has but one point at each place of it.
+    pub fn with_breaks(
+        self,
+        breaks: [Vec<Break<T::Scalar>>; 2],
+    ) -> Result<Self, TessellationError<T::Scalar>> {
+        for (direction, list) in [Direction::U, Direction::V].into_iter().zip(&breaks) {
+            let torn = |line: &&Break<_>| line.continuity == Continuity::Torn;
+            if let Some(&Break { at, .. }) = list.iter().find(torn) {
+                return Err(TessellationError::TornBreak { direction, at });
+            }
+        }
+        Ok(Self { breaks, ..self })
     }
 
     /// The same, closed as said; [`tessellate`](super::tessellate) checks that the sides meet.

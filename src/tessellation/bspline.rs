@@ -3,10 +3,10 @@
 use num_traits::Zero;
 
 use super::bounds::{BoundedSurface, Bounds, Break, Continuity};
-use crate::algebra::{Real, Scalar, Vector3, VectorSpace, length};
+use crate::algebra::{Real, Scalar, Vector3, VectorSpace, larger, length};
 use crate::bspline::{
     BsplineSurface, Closing, Direction, Homogeneous, KnotVector, PeriodicSurface, RationalSurface,
-    basis_derivatives, blossom, find_span,
+    basis_derivatives, find_span, piece_blossom,
 };
 use crate::surface::{Surface, normal_of_tangents};
 
@@ -58,26 +58,19 @@ fn bezier_arguments<S: Scalar>(degree: usize, [start, end]: [S; 2]) -> Vec<Vec<S
 /// control points comes in, in the same order from whichever side.
 fn net_on<Q: VectorSpace>(surface: &BsplineSurface<Q>, rectangle: [[Q::Scalar; 2]; 2]) -> Vec<Q> {
     let [in_u, in_v] = [Direction::U, Direction::V].map(|direction| surface.knots(direction));
-    let [columns, rows] = [in_u, in_v].map(KnotVector::control_point_count);
+    let [p, q] = [in_u, in_v].map(KnotVector::degree);
+    let across = bezier_arguments(p, rectangle[0]);
     let mut net = Vec::new();
     for j in spans_on(in_v, rectangle[1]) {
         for i in spans_on(in_u, rectangle[0]) {
-            for arguments in bezier_arguments(in_v.degree(), rectangle[1]) {
-                let counts = i - in_u.degree()..=i;
+            for arguments in bezier_arguments(q, rectangle[1]) {
                 let point = |column: usize| {
-                    if !counts.contains(&column) {
-                        return Q::origin();
-                    }
-                    let points = (0..rows).map(|row| surface.control_point(column, row));
-                    blossom(in_v, &points.collect::<Vec<_>>(), j, &arguments)
+                    let points = (j - q..=j).map(|row| surface.control_point(column, row));
+                    piece_blossom(in_v, &points.collect::<Vec<_>>(), j, &arguments)
                 };
-                let line: Vec<Q> = (0..columns).map(point).collect();
-                let across = bezier_arguments(in_u.degree(), rectangle[0]);
-                net.extend(
-                    across
-                        .iter()
-                        .map(|arguments| blossom(in_u, &line, i, arguments)),
-                );
+                let line: Vec<Q> = (i - p..=i).map(point).collect();
+                let on_line = |arguments: &Vec<Q::Scalar>| piece_blossom(in_u, &line, i, arguments);
+                net.extend(across.iter().map(on_line));
             }
         }
     }
@@ -86,7 +79,6 @@ fn net_on<Q: VectorSpace>(surface: &BsplineSurface<Q>, rectangle: [[Q::Scalar; 2
 
 /// The largest of the numbers; NaN where one is NaN.
 fn largest<S: Scalar>(numbers: impl IntoIterator<Item = S>) -> S {
-    let larger = |a: S, b: S| if b <= a { a } else { b };
     numbers.into_iter().fold(S::zero(), larger)
 }
 
@@ -204,8 +196,21 @@ where
     P: Vector3,
     P::Scalar: Real,
 {
+    /// Those of the surface inside; where it closes over a knot that stands as often as the degree says, both ends are creases too.
     fn break_lines(&self) -> [Vec<Break<P::Scalar>>; 2] {
-        self.surface().break_lines()
+        let mut lines = self.surface().break_lines();
+        for (index, direction) in [Direction::U, Direction::V].into_iter().enumerate() {
+            let knots = self.surface().knots(direction);
+            let [start, _] = knots.domain();
+            let is_crease = knots.multiplicity(start) >= knots.degree();
+            if self.closing()[index] != Closing::Open && is_crease {
+                let last = lines[index].len() - 1;
+                for end in [0, last] {
+                    lines[index][end].continuity = Continuity::Crease;
+                }
+            }
+        }
+        lines
     }
 
     fn second_derivative_bounds(&self) -> Bounds<'_, P::Scalar> {
@@ -292,12 +297,22 @@ where
         .each_ref()
         .map(|surface| net_on(surface, rectangle));
     let is_a_side = rectangle.iter().any(|[start, end]| start == end);
-    let mut points = nets[0].iter().map(|h| h.projected());
-    let first = points.next();
-    if is_a_side && points.all(|point| Some(point) == first) {
+    if is_a_side && is_one_point(&nets[0]) {
         return [P::Scalar::zero(); 3];
     }
     quotient_bounds(&nets)
+}
+
+/// Whether the projected control points are one point. Points times weights that were rounded, and divided by the weights again, may
+/// differ by 3u each.
+fn is_one_point<P: Vector3>(net: &[Homogeneous<P>]) -> bool {
+    let mut points = net.iter().map(|h| h.projected());
+    let first = points.next().unwrap_or_else(P::origin);
+    let roundoffs = P::Scalar::from_i32(6) * P::Scalar::unit_roundoff();
+    points.all(|point| {
+        let gap = point.minus(first).largest_coordinate();
+        gap <= roundoffs * larger(point.largest_coordinate(), first.largest_coordinate())
+    })
 }
 
 /// As [`BoundedSurface`] says, by the quotient rule; weights must be positive. Closed where the curves on the two opposite sides
@@ -311,6 +326,10 @@ where
         [Direction::U, Direction::V].map(|direction| lines_of(self.knots(direction)))
     }
 
+    fn is_collapsed(&self, side: [[P::Scalar; 2]; 2]) -> bool {
+        is_one_point(&net_on(self.homogeneous(), side))
+    }
+
     fn second_derivative_bounds(&self) -> Bounds<'_, P::Scalar> {
         const ORDERS: [[usize; 2]; 6] = [[0, 0], [1, 0], [0, 1], [2, 0], [1, 1], [0, 2]];
         let all = derivatives(self.homogeneous(), ORDERS);
@@ -318,7 +337,6 @@ where
             let [us, vs] = rectangle.map(parts);
             let smaller = vs.iter().flat_map(|&v| us.iter().map(move |&u| [u, v]));
             let bounds = smaller.map(|part| rational_bounds(&all, part));
-            let larger = |a: P::Scalar, b: P::Scalar| if b <= a { a } else { b };
             bounds.fold([P::Scalar::zero(); 3], |most, bound| {
                 [0, 1, 2].map(|which| larger(most[which], bound[which]))
             })

@@ -4,6 +4,7 @@ use std::fmt::Debug;
 
 use thiserror::Error;
 
+use crate::bspline::Direction;
 use crate::mesh::MeshError;
 
 /// What is wrong with a tolerance or a surface.
@@ -53,11 +54,33 @@ pub enum TessellationError<S: Debug> {
     )]
     Breaks {
         /// The direction, u or v.
-        direction: &'static str,
+        direction: Direction,
         /// Their parameters.
         breaks: Vec<S>,
         /// The domain in that direction.
         domain: [S; 2],
+    },
+    /// Breaks of a closure that tear its surface.
+    #[error(
+        "the break at {direction} = {at:?} is said to be torn, but the wrapped surface has one point there for both sides: make it a crease, \
+         or implement `BoundedSurface::point_in` for a surface that jumps"
+    )]
+    TornBreak {
+        /// The direction, u or v.
+        direction: Direction,
+        /// Its parameter.
+        at: S,
+    },
+    /// A polygon cannot be cut into triangles.
+    #[error(
+        "the loop's polygon of {corners} corners could be cut into {triangles} triangles only, not {}: rounding hides on which side of each \
+         other its other corners lie", corners - 2
+    )]
+    Polygon {
+        /// How many corners it has.
+        corners: usize,
+        /// How many triangles could be cut off.
+        triangles: usize,
     },
     /// Sides that are said to be joined do not meet.
     #[error(
@@ -66,7 +89,7 @@ pub enum TessellationError<S: Debug> {
     )]
     SeamOpen {
         /// The direction, u or v.
-        direction: &'static str,
+        direction: Direction,
         /// The parameter along the seam.
         at: S,
         /// The distance, in the largest coordinate.
@@ -81,7 +104,7 @@ pub enum TessellationError<S: Debug> {
     )]
     SeamNotSymmetric {
         /// The direction that closes.
-        direction: &'static str,
+        direction: Direction,
         /// The length of a piece.
         first: S,
         /// The length of its mirror image.

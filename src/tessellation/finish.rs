@@ -3,10 +3,11 @@
 use std::collections::HashMap;
 
 use super::bounds::{BoundedSurface, Break, Continuity};
-use super::parameters::ParameterMesh;
+use super::parameters::{ParameterMesh, Triangle};
 use super::stitch::vertex_number;
-use super::{TessellationError, intervals};
-use crate::algebra::{Real, Scalar, Vector3, VectorSpace, unit_vector};
+use super::{Goal, TessellationError, intervals};
+use crate::algebra::{Real, Scalar, Vector3, VectorSpace, larger, unit_vector};
+use crate::bspline::Direction;
 use crate::mesh::Mesh;
 
 /// So many unit roundoffs of the largest coordinate may part the two sides of a seam: what two evaluations of one point with
@@ -91,6 +92,7 @@ impl Numbering {
 /// A mesh in the making.
 struct Lifting<'a, T: BoundedSurface> {
     surface: &'a T,
+    goal: Goal<T::Scalar>,
     parameters: &'a ParameterMesh<T::Scalar>,
     lines: [Vec<Break<T::Scalar>>; 2],
     vertex_numbers: Numbering,
@@ -102,10 +104,11 @@ struct Lifting<'a, T: BoundedSurface> {
     places: Vec<u32>,
 }
 
-/// The surface's points and normals on the vertices of the parameter mesh.
+/// The surface's points and normals on the vertices of the parameter mesh; refused where creases and tears make too many of them.
 pub(super) fn lifted<T>(
     surface: &T,
     parameters: &ParameterMesh<T::Scalar>,
+    goal: Goal<T::Scalar>,
 ) -> Result<Tessellation<T::Point>, TessellationError<T::Scalar>>
 where
     T: BoundedSurface,
@@ -115,6 +118,7 @@ where
     let count = parameters.vertices.len();
     let mut lifting = Lifting {
         surface,
+        goal,
         parameters,
         lines: intervals(surface)?,
         vertex_numbers: Numbering::new(count),
@@ -127,19 +131,7 @@ where
     };
     let mut faces = Vec::with_capacity(parameters.triangles.len());
     for triangle in &parameters.triangles {
-        let place = |vertex| parameters.same.first(vertex);
-        let [a, b, c] = triangle.corners.map(place);
-        if a == b || b == c || c == a {
-            for vertex in triangle.corners {
-                lifting.check_joined(vertex, triangle.piece)?;
-            }
-            continue;
-        }
-        let mut face = [0; 3];
-        for (corner, vertex) in face.iter_mut().zip(triangle.corners) {
-            *corner = lifting.vertex(vertex, triangle.piece)?;
-        }
-        faces.push(face);
+        faces.extend(lifting.face(*triangle)?);
     }
     lifting.finish(&faces)
 }
@@ -150,6 +142,25 @@ where
     T::Point: Vector3,
     T::Scalar: Real,
 {
+    /// The triangle as one of the mesh; `None` where two of its corners are one place.
+    fn face(
+        &mut self,
+        Triangle { corners, piece }: Triangle,
+    ) -> Result<Option<[u32; 3]>, TessellationError<T::Scalar>> {
+        let [a, b, c] = corners.map(|vertex| self.parameters.same.first(vertex));
+        if a == b || b == c || c == a {
+            for vertex in corners {
+                self.check_joined(vertex, piece)?;
+            }
+            return Ok(None);
+        }
+        let mut face = [0; 3];
+        for (corner, vertex) in face.iter_mut().zip(corners) {
+            *corner = self.vertex(vertex, piece)?;
+        }
+        Ok(Some(face))
+    }
+
     /// The number of the mesh's vertex for a vertex of the parameter mesh, as a piece sees it.
     fn vertex(
         &mut self,
@@ -160,6 +171,7 @@ where
         let creased = self.is_after([u, v], piece, |c| c != Continuity::Smooth);
         let (number, is_new) = self.vertex_numbers.number((vertex, creased));
         if is_new {
+            self.goal.check_count(self.vertex_numbers.count)?;
             let place = self.place(vertex, piece)?;
             self.positions.push(self.place_positions[place as usize]);
             self.places.push(place);
@@ -217,12 +229,7 @@ where
         let there = self.surface.point(u, v);
         let here = self.own_point(vertex, piece);
         let [u, v] = self.parameters.vertices[vertex as usize];
-        let largest = [here, there].map(T::Point::largest_coordinate);
-        let largest = if largest[0] > largest[1] {
-            largest[0]
-        } else {
-            largest[1]
-        };
+        let largest = larger(here.largest_coordinate(), there.largest_coordinate());
         let allowed =
             T::Scalar::from_i32(ROUNDOFFS_OF_A_SEAM) * T::Scalar::unit_roundoff() * largest;
         let gap = here.minus(there).largest_coordinate();
@@ -230,7 +237,11 @@ where
             return Ok(());
         }
         let is_in_u = self.lines[0].last().is_some_and(|line| line.at == u);
-        let (direction, at) = if is_in_u { ("u", v) } else { ("v", u) };
+        let (direction, at) = if is_in_u {
+            (Direction::U, v)
+        } else {
+            (Direction::V, u)
+        };
         Err(TessellationError::SeamOpen {
             direction,
             at,

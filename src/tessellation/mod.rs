@@ -22,8 +22,8 @@
 //! # Numerics
 //!
 //! The tolerance bounds the distance between the triangle and the surface of the exact points; the vertices themselves carry the
-//! rounding of [`Surface::point`](crate::surface::Surface::point). The bound is rounded up. What would need more vertices than allowed is refused before
-//! any point is computed.
+//! rounding of [`Surface::point`](crate::surface::Surface::point). The bound is rounded up. Where the grids of the pieces alone have more vertices than
+//! allowed, they are refused before any is made; where the refinement or the second normals on creases make them too many, as soon as they are.
 //!
 //! # Sources
 //!
@@ -55,6 +55,7 @@ pub use finish::Tessellation;
 pub use trimmed::tessellate_trimmed;
 
 use crate::algebra::{Real, Scalar, Vector3};
+use crate::bspline::Direction;
 
 /// The vertices that [`tessellate`] allows: 2²⁴, about 2 GB of points, normals and triangles in double precision.
 pub const VERTEX_LIMIT: u32 = 1 << 24;
@@ -102,7 +103,7 @@ where
     tessellate_within(surface, tolerance, VERTEX_LIMIT)
 }
 
-/// As [`tessellate`], with at most `vertex_limit` vertices.
+/// As [`tessellate`], with at most `vertex_limit` vertices in the mesh; a place on a crease or a seam counts as often as it has vertices.
 ///
 /// # Errors
 ///
@@ -123,7 +124,7 @@ where
         vertex_limit,
     };
     let parameters = plan::parameter_mesh(surface, goal)?;
-    finish::lifted(surface, &parameters)
+    finish::lifted(surface, &parameters, goal)
 }
 
 /// What a tessellation shall keep to.
@@ -131,6 +132,24 @@ where
 struct Goal<S> {
     tolerance: S,
     vertex_limit: u32,
+}
+
+impl<S: Scalar> Goal<S> {
+    fn too_many(self) -> TessellationError<S> {
+        TessellationError::TooManyVertices {
+            tolerance: self.tolerance,
+            limit: self.vertex_limit,
+        }
+    }
+
+    /// Refuses more vertices than allowed.
+    fn check_count(self, vertices: u32) -> Result<(), TessellationError<S>> {
+        if vertices <= self.vertex_limit {
+            Ok(())
+        } else {
+            Err(self.too_many())
+        }
+    }
 }
 
 /// Refuses a tolerance that no triangle can keep, and one that is none.
@@ -150,10 +169,10 @@ fn intervals<S: BoundedSurface + ?Sized>(
     surface: &S,
 ) -> Result<Lines<S::Scalar>, TessellationError<S::Scalar>> {
     let breaks = surface.break_lines();
-    for (direction, list) in ["u", "v"].into_iter().zip(&breaks) {
+    let directions = [Direction::U, Direction::V].into_iter();
+    for ((direction, list), domain) in directions.zip(&breaks).zip(surface.domain()) {
         let increases = list.windows(2).all(|pair| pair[0].at < pair[1].at);
         let [first, last] = [list.first(), list.last()].map(|end| end.map(|end| end.at));
-        let domain = surface.domain()[usize::from(direction == "v")];
         if list.len() < 2 || !increases || [first, last] != domain.map(Some) {
             return Err(TessellationError::Breaks {
                 direction,

@@ -9,7 +9,7 @@ use super::refine::{Bending, Whole, edge, refined};
 use super::stitch::{Fill, Inner, division, usable, vertex_number, zipped};
 use super::{Goal, TessellationError, intervals};
 use crate::algebra::Real;
-use crate::bspline::Closing;
+use crate::bspline::{Closing, Direction};
 
 /// A side of a piece: how many segments it has, and the number of its first inner vertex.
 #[derive(Clone, Copy, Debug)]
@@ -78,13 +78,6 @@ impl<S: Real> Plan<'_, S> {
         [piece, piece + 1].map(|line| self.lines[direction][line].at)
     }
 
-    fn too_many(&self) -> TessellationError<S> {
-        TessellationError::TooManyVertices {
-            tolerance: self.goal.tolerance,
-            limit: self.goal.vertex_limit,
-        }
-    }
-
     /// The bounds on a rectangle, refused where they are none.
     fn bounds_on(&self, rectangle: [[S; 2]; 2]) -> Result<[S; 3], TessellationError<S>> {
         usable((self.bounds)(rectangle), rectangle)
@@ -113,7 +106,7 @@ impl<S: Real> Plan<'_, S> {
                         let [start, end] = rectangle[direction];
                         let bound = self.bounds_on(rectangle)?[2 * direction];
                         segments_for(bound, end - start, self.goal.tolerance)
-                            .ok_or_else(|| self.too_many())?
+                            .ok_or_else(|| self.goal.too_many())?
                     };
                     self.along[direction].push(Side { segments, first: 0 });
                 }
@@ -141,7 +134,7 @@ impl<S: Real> Plan<'_, S> {
             [0, self.pieces(direction)].map(|line| self.lines[direction][line].at.magnitude());
         let rounding = (largest[0] + largest[1]) * S::from_i32(4) * S::unit_roundoff();
         if (first - last).magnitude() > rounding {
-            let direction = ["v", "u"][direction];
+            let direction = [Direction::V, Direction::U][direction];
             return Err(TessellationError::SeamNotSymmetric {
                 direction,
                 first,
@@ -162,8 +155,8 @@ impl<S: Real> Plan<'_, S> {
             for column in 0..self.pieces(0) {
                 let box_ = [self.interval(0, column), self.interval(1, row)];
                 let bounds = self.bounds_on(box_)?;
-                let (whole, needed) =
-                    Whole::new(bounds, box_, self.goal.tolerance).ok_or_else(|| self.too_many())?;
+                let (whole, needed) = Whole::new(bounds, box_, self.goal.tolerance)
+                    .ok_or_else(|| self.goal.too_many())?;
                 let sides = self.sides_of([column, row]).map(|side| side.segments);
                 let inner = Inner::new(needed, sides, whole);
                 vertices = vertices.saturating_add(inner.vertices());
@@ -171,7 +164,7 @@ impl<S: Real> Plan<'_, S> {
             }
         }
         if vertices > u64::from(self.goal.vertex_limit) {
-            return Err(self.too_many());
+            return Err(self.goal.too_many());
         }
         Ok(cells)
     }
@@ -268,8 +261,7 @@ impl<S: Real> Plan<'_, S> {
                 }
                 let rectangle = self.side_rectangle(direction, line, piece);
                 let is_straight = self.bounds_on(rectangle)?[2 * direction].is_zero();
-                let [[u0, u1], [v0, v1]] = rectangle;
-                if is_straight && surface.point(u0, v0) == surface.point(u1, v1) {
+                if is_straight && surface.is_collapsed(rectangle) {
                     let ends = [piece, piece + 1].map(|x| self.corner_on(direction, line, x));
                     self.mesh.same.join(ends[0], ends[1]);
                 }
@@ -278,25 +270,27 @@ impl<S: Real> Plan<'_, S> {
         Ok(())
     }
 
+    /// The vertices on the sides of a piece (bottom, right, top, left), in the direction of their parameters.
+    fn chains_of(&self, piece: [usize; 2]) -> [Vec<u32>; 4] {
+        let [column, row] = piece;
+        let [bottom, right, top, left] = self.sides_of(piece);
+        let [a, b] = [column, column + 1].map(|column| self.corner(column, row));
+        let [d, c] = [column, column + 1].map(|column| self.corner(column, row + 1));
+        [
+            bottom.chain(a, b),
+            right.chain(b, c),
+            top.chain(d, c),
+            left.chain(a, d),
+        ]
+    }
+
     /// Makes the triangles of one piece.
     fn triangulate(
         &mut self,
         piece: [usize; 2],
         inner: Inner<S>,
     ) -> Result<(), TessellationError<S>> {
-        let [column, row] = piece;
-        let [bottom, right, top, left] = self.sides_of(piece);
-        let [a, b] = [self.corner(column, row), self.corner(column + 1, row)];
-        let [d, c] = [
-            self.corner(column, row + 1),
-            self.corner(column + 1, row + 1),
-        ];
-        let chains = [
-            bottom.chain(a, b),
-            right.chain(b, c),
-            top.chain(d, c),
-            left.chain(a, d),
-        ];
+        let chains = self.chains_of(piece);
         let corners = match inner.fill {
             Fill::AlongU => zipped(&chains[0], &chains[2], |vertex| {
                 self.mesh.vertices[vertex as usize][0]

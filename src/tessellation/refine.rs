@@ -121,10 +121,7 @@ impl<'a, S: Scalar> Conforming<'a, S> {
     fn push_vertex(&mut self, vertex: [S; 2]) -> Result<u32, TessellationError<S>> {
         let number = vertex_number(self.vertices.len());
         if number >= self.goal.vertex_limit {
-            return Err(TessellationError::TooManyVertices {
-                tolerance: self.goal.tolerance,
-                limit: self.goal.vertex_limit,
-            });
+            return Err(self.goal.too_many());
         }
         self.vertices.push(vertex);
         Ok(number)

@@ -24,7 +24,8 @@ use crate::bspline::TrimmedSurface;
 ///
 /// # Errors
 ///
-/// As [`tessellate`](super::tessellate); at most [`VERTEX_LIMIT`] vertices are made.
+/// As [`tessellate`](super::tessellate), and [`TessellationError::Polygon`] where rounding hides how the loop's polygon is cut; at most
+/// [`VERTEX_LIMIT`] vertices are made.
 ///
 /// # Edge cases
 ///
@@ -32,7 +33,7 @@ use crate::bspline::TrimmedSurface;
 ///
 /// # Cost
 ///
-/// O(n²) for the n corners of the polygon, and O(n³) for some: meant for hundreds of corners.
+/// O(n²) for the n corners of the polygon.
 ///
 /// # Source
 ///
@@ -69,17 +70,9 @@ where
         vertex_limit: VERTEX_LIMIT,
     };
     let mut vertices = trimmed.polygon().to_vec();
-    let triangles = ears(&vertices).into_iter().map(|corners| Triangle {
-        corners,
-        piece: [0; 2],
-    });
-    let triangles: Vec<_> = triangles.collect();
+    let triangles = triangles_of(&vertices)?;
     let mut mesh = Conforming::new(&mut vertices, triangles, goal);
-    for direction in [0, 1] {
-        for line in &lines[direction][1..lines[direction].len() - 1] {
-            cut_along(&mut mesh, direction, line.at)?;
-        }
-    }
+    cut_into_pieces(&mut mesh, &lines)?;
     let bounds = surface.second_derivative_bounds();
     let whole = whole_pieces(&lines, &bounds, goal)?;
     let columns = vertex_number(lines[0].len() - 1);
@@ -87,10 +80,6 @@ where
         bounds: &bounds,
         of_pieces: &|[column, row]| whole[(row * columns + column) as usize],
     };
-    for index in 0..mesh.triangles.len() {
-        let points = mesh.points(vertex_number(index));
-        mesh.triangles[index].piece = piece_of(&lines, points);
-    }
     let frozen = cut_boundary(&mut mesh, &bending, tolerance)?;
     let all = (0..vertex_number(mesh.triangles.len())).collect();
     mesh.refine(all, &frozen, &bending)?;
@@ -100,7 +89,36 @@ where
         triangles,
         same: Classes::default(),
     };
-    lifted(surface, &parameters)
+    lifted(surface, &parameters, goal)
+}
+
+/// The triangles of a polygon, refused where they do not fill it; of which pieces they are is not known yet.
+fn triangles_of<S: Scalar>(polygon: &[[S; 2]]) -> Result<Vec<Triangle>, TessellationError<S>> {
+    let ears = ears(polygon);
+    let [corners, triangles] = [polygon.len(), ears.len()];
+    if triangles + 2 < corners {
+        return Err(TessellationError::Polygon { corners, triangles });
+    }
+    let piece = [0; 2];
+    let triangles = ears.into_iter().map(|corners| Triangle { corners, piece });
+    Ok(triangles.collect())
+}
+
+/// Cuts the triangles along the inner lines, until each lies in one piece.
+fn cut_into_pieces<S: Scalar>(
+    mesh: &mut Conforming<'_, S>,
+    lines: &[Vec<Break<S>>; 2],
+) -> Result<(), TessellationError<S>> {
+    for direction in [0, 1] {
+        for line in &lines[direction][1..lines[direction].len() - 1] {
+            cut_along(mesh, direction, line.at)?;
+        }
+    }
+    for index in 0..mesh.triangles.len() {
+        let points = mesh.points(vertex_number(index));
+        mesh.triangles[index].piece = piece_of(lines, points);
+    }
+    Ok(())
 }
 
 /// Cuts every edge that crosses a parameter line at its point on it.
@@ -133,19 +151,15 @@ fn cut_along<S: Scalar>(
 fn whole_pieces<S: Real>(
     [us, vs]: &[Vec<Break<S>>; 2],
     bounds: &Bounds<'_, S>,
-    Goal {
-        tolerance,
-        vertex_limit: limit,
-    }: Goal<S>,
+    goal: Goal<S>,
 ) -> Result<Vec<Whole<S>>, TessellationError<S>> {
     let mut pieces = Vec::new();
     for v in vs.windows(2) {
         for u in us.windows(2) {
             let rectangle = [[u[0].at, u[1].at], [v[0].at, v[1].at]];
             let on_piece = usable(bounds(rectangle), rectangle)?;
-            let whole = Whole::new(on_piece, rectangle, tolerance);
-            let (whole, _) =
-                whole.ok_or(TessellationError::TooManyVertices { tolerance, limit })?;
+            let whole = Whole::new(on_piece, rectangle, goal.tolerance);
+            let (whole, _) = whole.ok_or_else(|| goal.too_many())?;
             pieces.push(whole);
         }
     }

@@ -64,6 +64,8 @@ fn every_parameter_has_one_span() {
 ///
 /// $$N_i^p(u)=(u_{i+p+1}-u_i)\,[u_i,\dots,u_{i+p+1}]\,(\,\cdot-u)_+^p,\qquad (x)_+^p=x^p\text{ for }x>0,\text{ else }0.$$
 ///
+/// The **truncated power** $(\,\cdot-u)_+^p$ is a power to the right of $u$ and zero to the left of it. A **divided difference** of a function at some points is the
+/// coefficient of the highest power in the polynomial that takes the function's values there; at a repeated point the polynomial takes its derivatives, too.
 /// This is how Schoenberg and Curry defined B-splines, years before the recursion was found; it holds at every $u$, inside the domain and outside, for all
 /// knots. The end of the domain is taken from the left.
 ///

@@ -8,7 +8,7 @@ use num_traits::AsPrimitive;
 use crate::common::exact::{Exact, fraction};
 use crate::common::law::{Law, Verdict, expect_equal};
 use crate::error_theorems::float_surfaces::{
-    Float, FloatSurface, exact_sum, float_surfaces, hard_float_surfaces, largest_of,
+    Float, FloatSurface, float_surfaces, hard_float_surfaces,
 };
 use crate::error_theorems::{Bound, bits};
 use crate::inputs::{SurfaceCase, hard_surfaces, surfaces};
@@ -70,7 +70,7 @@ fn prepared_surface_extrapolates_like_the_surface() {
 /// the derivative's control points there.
 ///
 /// In each direction: the Bézier points are de Boor's points, within $6p\,\mathbf u\cdot M$ like all of them. The place $t$ in the span has a rounded difference, a
-/// rounded inverse and a rounded product, $3\mathbf u\,t$, which moves the point by at most $3\mathbf u$ times the length of the patch's hodograph, $2p\cdot M$: another
+/// rounded inverse and a rounded product, $3\mathbf u\,t$, which moves the point by at most $3\mathbf u$ times the length of the patch's derivative, $2p\cdot M$: another
 /// $6p\,\mathbf u\cdot M$. Bernstein's polynomials take $3\mathbf u$ a degree, for $1-t$, a product and a sum, and the weighted sum $p+1$. Together $16p+1$. The control points of
 /// a derivative are differences times quotients, $4\mathbf u$, and the rest is as for a surface whose degree is one less in that direction.
 ///
@@ -99,19 +99,8 @@ fn batch_error<S: Float>(case: &FloatSurface, bounds: &[Bound]) -> Verdict {
     let factor = 16.0 * (p + q);
     bounds[0].holds_for_point(point, &rounded.exact_point(), factor + 2.0, rounded.sizes())?;
     for (direction, tangent) in [Direction::U, Direction::V].into_iter().zip(tangents) {
-        let derivative = surface.derivative_surface(direction);
-        let spans = [Direction::U, Direction::V].map(|d| derivative.knots(d));
-        let spans = [
-            facette::bspline::find_span(spans[0], rounded.at[0]),
-            facette::bspline::find_span(spans[1], rounded.at[1]),
-        ];
-        let exact = exact_sum(&derivative, rounded.at);
-        bounds[1].holds_for_point(
-            tangent,
-            &exact,
-            factor - 10.0,
-            largest_of(&derivative, spans),
-        )?;
+        let (exact, sizes) = rounded.exact_partial(direction);
+        bounds[1].holds_for_point(tangent, &exact, factor - 10.0, sizes)?;
     }
     Ok(())
 }

@@ -166,6 +166,37 @@ fn surface_error<S: Float>(case: &FloatSurface, bound: &Bound) -> Verdict {
     bound.holds_for_point(computed, &rounded.exact_point(), factor, rounded.sizes())
 }
 
+/// **The error of a partial derivative.** Each coordinate of $S_u$ is within $(6p+6q)\,\mathbf u\cdot D$ of the exact derivative, $D$ the largest absolute value of
+/// that coordinate among the difference quotients $p\,(P_{i+1,j}-P_{ij})/(u_{i+p+1}-u_{i+1})$ that count; and likewise $S_v$. The size of the control points
+/// themselves does not enter.
+///
+/// A quotient rounds four times, in two differences, a quotient and a product. The quotients are then combined as the control points of a surface
+/// whose degrees are $p-1$ and $q$, $6(p-1)+6q+2$.
+#[test]
+fn partial_derivative_error_stays_below_its_bound() {
+    let bounds = [Bound::default(), Bound::default()];
+    let name = "bspline::partial_derivative_error_stays_below_its_bound";
+    Law::new(name, suspects::library).holds(float_surfaces(), hard_float_surfaces(), |case| {
+        partial_error::<f64>(case, &bounds[0])?;
+        partial_error::<f32>(case, &bounds[1])
+    });
+    for bound in &bounds {
+        bound.is_used_up_to(0.05);
+    }
+}
+
+fn partial_error<S: Float>(case: &FloatSurface, bound: &Bound) -> Verdict {
+    let rounded = case.rounded::<S>();
+    let [u, v] = rounded.at;
+    let [p, q] = [Direction::U, Direction::V].map(|d| rounded.surface.knots(d).degree() as f64);
+    for (direction, orders) in [(Direction::U, [1, 0]), (Direction::V, [0, 1])] {
+        let (exact, sizes) = rounded.exact_partial(direction);
+        let computed = rounded.surface.derivative_at(orders, u, v);
+        bound.holds_for_point(computed, &exact, 6.0 * (p + q), sizes)?;
+    }
+    Ok(())
+}
+
 /// **A grid has the same bits.** Whether a point comes alone or with a grid, where the curve of a row and the basis of a column are computed once,
 /// it is the same number to the last bit.
 #[test]

@@ -19,7 +19,7 @@ fn triangle(case: &BasisCase) -> (usize, Vec<Exact>) {
     (span, values)
 }
 
-/// **Unity, written out.** Marsden's identity: for every $u$ of the domain and every $t$,
+/// **Marsden's identity.** For every $u$ of the domain and every $t$,
 ///
 /// $$(t-u)^p=\sum_i\Bigl(\prod_{j=1}^p(t-u_{i+j})\Bigr)N_i^p(u).$$
 ///

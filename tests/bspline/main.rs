@@ -20,6 +20,7 @@ mod hard_cases;
 mod identity_theorems;
 mod inputs;
 mod mistakes;
+mod normal_hard_cases;
 mod periodic_hard_cases;
 mod periodic_theorems;
 mod rational_hard_cases;

@@ -196,6 +196,58 @@ fn mean_of_a_growing_list() {
 }
 // ANCHOR_END: list_call
 
+// ANCHOR: if_else
+/// The number itself, or 0 if it is negative.
+fn at_least_zero(number: f64) -> f64 {
+    if number < 0.0 { 0.0 } else { number }
+}
+// ANCHOR_END: if_else
+
+#[test]
+fn negative_numbers_become_zero() {
+    assert_eq!([-2.0, 0.0, 3.0].map(at_least_zero), [0.0, 0.0, 3.0]);
+}
+
+#[allow(
+    clippy::assign_op_pattern,
+    reason = "the page has introduced no other operator"
+)]
+// ANCHOR: while
+/// The place of the first number that is 0, or how many numbers there are if none is.
+fn first_zero(numbers: &[f64]) -> usize {
+    let mut place = 0;
+    while place < numbers.len() && numbers[place] != 0.0 {
+        place = place + 1;
+    }
+    place
+}
+// ANCHOR_END: while
+
+#[allow(
+    clippy::needless_range_loop,
+    reason = "the page shows plain loops first"
+)]
+// ANCHOR: return
+/// The same, with another loop.
+fn first_zero_again(numbers: &[f64]) -> usize {
+    for place in 0..numbers.len() {
+        if numbers[place] == 0.0 {
+            return place;
+        }
+    }
+    numbers.len()
+}
+// ANCHOR_END: return
+
+#[test]
+fn both_loops_find_the_same_place() {
+    for numbers in [&[3.0, 0.0, 0.0][..], &[0.0], &[1.0, 2.0], &[]] {
+        assert_eq!(first_zero(numbers), first_zero_again(numbers));
+    }
+    assert_eq!(first_zero(&[3.0, 0.0, 0.0]), 1);
+    assert_eq!(first_zero(&[1.0, 2.0]), 2);
+}
+
 #[allow(
     clippy::assign_op_pattern,
     reason = "the page has introduced no other operator"

@@ -1,8 +1,8 @@
 //! Surfaces that break a tessellation: torn, twisted, collapsed, far away, very small and very large. The book shows their doc comments.
 
 use facette::algebra::VectorSpace;
-use facette::bspline::{BsplineSurface, KnotVector};
-use facette::tessellation::{Bounded, tessellate};
+use facette::bspline::{BsplineSurface, KnotVector, RationalCurve, TrimmedSurface};
+use facette::tessellation::{Bounded, tessellate, tessellate_trimmed};
 
 use crate::inputs::{
     Graph, Point, bicubic, chord_error, cut, edges, euler_number, rounding, single, wave,
@@ -245,4 +245,25 @@ fn folded_surface_keeps_the_tolerance() {
             .iter()
             .all(|normal| normal.has_finite_coordinates())
     );
+}
+
+/// **A loop of many sides.** A circle of 1500 sides has an ear at every corner. Each cut changes two of them: to look at all of them again takes hundreds of times as long, and looks like a loop without end.
+#[test]
+fn loop_of_many_sides_is_cut_in_a_moment() {
+    const SIDES: usize = 1500;
+    let square = [[0., 0., 0.], [1., 0., 0.], [0., 1., 0.], [1., 1., 0.]];
+    let knots = [KnotVector::bezier(1), KnotVector::bezier(1)];
+    let flat = BsplineSurface::new(knots, square.to_vec()).expect("four points");
+    let corner = |index: usize| {
+        let angle = (index % SIDES) as f64 / SIDES as f64 * std::f64::consts::TAU;
+        [0.5 + 0.4 * angle.cos(), 0.5 + 0.4 * angle.sin()]
+    };
+    let corners: Vec<_> = (0..=SIDES).map(corner).collect();
+    let knots = KnotVector::clamped_uniform(1, corners.len()).expect("enough points");
+    let outline = RationalCurve::new(knots, &corners, &[1.0; SIDES + 1]).expect("a polygon");
+    let trimmed = TrimmedSurface::new(flat, outline, 1e-9).expect("a circle is simple");
+    let mesh = tessellate_trimmed(&trimmed, 0.1)
+        .expect("a polygon that can be cut")
+        .mesh;
+    assert_eq!(mesh.face_count(), SIDES - 2);
 }

@@ -12,5 +12,6 @@ mod inputs;
 mod main_job;
 mod mesh_theorems;
 mod refusal_hard_cases;
+mod seam_hard_cases;
 mod snapshots;
 mod topology_theorems;

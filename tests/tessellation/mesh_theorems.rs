@@ -63,7 +63,8 @@ fn halving_the_tolerance_doubles_the_triangles() {
     }
 }
 
-/// **Fewer triangles than a uniform grid.** A surface with one sharp bump in a plane: the uniform grid that keeps the same tolerance has more than four times as many triangles.
+/// **Fewer triangles than a uniform grid.** A bicubic plane of $12\cdot12$ spans, 12 long and wide, with the middle one of its $15\cdot15$ control points raised by 4: the uniform grid that is
+/// measured to keep the tolerance $\tau=0.01$ has more than four times as many triangles as the adaptive mesh that promises it.
 #[test]
 fn bumpy_plane_takes_fewer_triangles_than_a_uniform_grid() {
     let surface = bump();

@@ -29,15 +29,29 @@ impl Work {
     /// The text of a citation: `Coons 1967`, `Ogita et al. 2005`.
     #[must_use]
     pub fn label(&self) -> String {
-        let surname = |name: &str| name.rsplit(' ').next().unwrap_or(name).to_owned();
         let names = match self.authors.as_slice() {
             [] => self.title.clone(),
-            [one] => surname(one),
+            [one] => surname(one).to_owned(),
             [one, two] => format!("{} and {}", surname(one), surname(two)),
             [one, ..] => format!("{} et al.", surname(one)),
         };
         format!("{names} {}", self.year)
     }
+}
+
+/// The last word of a name, with the particles before it: `de Boor` of `Carl de Boor`. A particle is a word in small letters.
+fn surname(name: &str) -> &str {
+    let is_particle = |word: &str| word.chars().all(char::is_lowercase);
+    let word_start = |end: usize| name[..end].rfind(' ').map_or(0, |space| space + 1);
+    let mut start = word_start(name.len());
+    while start > 0 {
+        let before = word_start(start - 1);
+        if !is_particle(&name[before..start - 1]) {
+            break;
+        }
+        start = before;
+    }
+    &name[start..]
 }
 
 /// A French term of the course.
@@ -194,6 +208,16 @@ mod tests {
         assert_eq!(work(&["Steven A. Coons"]).label(), "Coons 1967");
         assert_eq!(work(&["A. B", "C. D"]).label(), "B and D 1967");
         assert_eq!(work(&["A. B", "C. D", "E. F"]).label(), "B et al. 1967");
+    }
+
+    #[test]
+    fn citations_keep_the_particles_of_a_name() {
+        assert_eq!(work(&["Carl de Boor"]).label(), "de Boor 1967");
+        assert_eq!(
+            work(&["A. van der B", "de C"]).label(),
+            "van der B and de C 1967"
+        );
+        assert_eq!(work(&["Euclid"]).label(), "Euclid 1967");
     }
 
     #[test]

@@ -271,9 +271,9 @@ pub fn surface_basis() -> Figure {
     figure(
         "surface_basis",
         "Four of the $7\\cdot8$ products $N_i^3(u)N_j^2(v)$ over the parameter square, on the same scale. Orange is the support: at most \
-         four spans by three, and the function is zero on all others. At the double knot $v=\\frac35$ the product has a sharp \
-         ridge; at the corner it reaches 1, because $N_0^3(0)=N_0^2(0)=1$.",
-        "Four graphs over a square with knot lines. An isolated hill over orange cells; a hill with a sharp ridge along a knot line; \
+         four spans by three, and the function is zero on all others. At the double knot $v=\\frac35$ the hill is pointed \
+         across the knot line and round along it; at the corner it reaches 1, because $N_0^3(0)=N_0^2(0)=1$.",
+        "Four graphs over a square with knot lines. An isolated hill over orange cells; a steep hill, pointed across a knot line; \
          half a hill on the front edge; a spike at the left corner. All other cells are flat.",
         &drawing,
     )

@@ -136,7 +136,7 @@ pub fn de_boor() -> Figure {
         "de_boor",
         "De Boor's points for $u=\\frac38$, which lies in the span $[\\frac14,\\frac12]$ of $P_1,\\dots,P_4$. Each round puts a point on every side \
          of the polygon before (orange, then green), at a ratio of knot differences; the last round has one \
-         side, and its point is $C(u)$.",
+         side, and its point is $P_4^3=C(u)$.",
         "A blue curve and its grey control polygon. Three orange points lie on the sides from P1 to P4, two green points on the \
          sides between those, and one black point between the green ones, on the curve.",
         &drawing,
@@ -231,13 +231,13 @@ pub fn isoparametric() -> Figure {
     let surface_alone = pieces(&surface, 24)
         .iter()
         .fold(Scene::new(view), |scene, piece| {
-            scene.surface(&piece.mesh, Material::matte(Colour::Sky))
+            scene.surface(&piece.mesh, Material::matte(Colour::Faint))
         });
     let scene = surface_alone.tube(&samples(&across), 0.04, Colour::Vermilion);
     let net: Vec<_> = (0..rows).map(|j| row(&surface, j)).collect();
     let row_curves: Vec<_> = net.iter().map(|row| row_curve(&surface, row)).collect();
     let mut photo = Photo::new(&scene, [750, 470])
-        .polylines(&row_curves, Stroke::new(Colour::Blue, 2.4))
+        .polylines(&row_curves, Stroke::new(Colour::Blue, 3.4))
         .polylines(&net, Stroke::new(Colour::Ink, 1.0))
         .discs(surface.control_points(), 3.0, Colour::Ink)
         .discs(across.control_points(), 5.5, Colour::Vermilion);
@@ -248,7 +248,7 @@ pub fn isoparametric() -> Figure {
         "isoparametric",
         "The curve $u=\\frac75$ of a surface (orange). Each row of the net controls a curve in $u$ (blue); its point at $\\frac75$ is \
          $Q_j$, and the $Q_j$ are the control points of the orange curve, with the knots $V$.",
-        "A wavy surface with five rows of control points joined by thin lines. Along each runs a blue curve with an orange point \
+        "A wavy grey surface with five rows of control points joined by thin lines. Along each runs a blue curve with an orange point \
          Q0 to Q4 on it; the five orange points control an orange curve across the surface.",
         &photo.drawing,
     )

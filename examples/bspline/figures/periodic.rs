@@ -46,12 +46,11 @@ fn turned(
     closed_surface(knots, &points, closing).expect("the slides' knots close")
 }
 
-/// A tube with a waist.
+/// A tube with straight sides: its net lies outside.
 fn cylinder() -> Closed {
     let closing = [Closing::Closed, Closing::Open];
     turned([around(), across()], 9, closing, |_, j| {
-        let height = (j as f64 - 4.0) / 3.2;
-        [0.85 + 0.22 * height * height, height]
+        [1.0, (j as f64 - 4.0) / 3.2]
     })
 }
 
@@ -93,16 +92,17 @@ fn net(surface: &Closed) -> Vec<Vec<DVec3>> {
     rows.chain(columns).collect()
 }
 
-/// Cylinder, torus and Möbius band under their control nets.
+/// Cylinder and torus under their control nets, and the Möbius band, through which its net would run, without.
 pub fn closed_surfaces() -> Figure {
-    let photo = |surface: &Closed, eye: DVec3, height: f64, size: [u32; 2]| {
-        let view = View::orthographic(eye, DVec3::ZERO, DVec3::Z, height);
-        let lines = net(surface).into_iter();
-        let scene = lines.fold(scene(surface, view), |scene, line| {
-            scene.tube(&line, 0.011, Colour::Vermilion)
-        });
-        Photo::new(&scene, size).drawing
-    };
+    let photo =
+        |surface: &Closed, lines: Vec<Vec<DVec3>>, eye: DVec3, height: f64, size: [u32; 2]| {
+            let view = View::orthographic(eye, DVec3::ZERO, DVec3::Z, height);
+            let lines = lines.into_iter();
+            let scene = lines.fold(scene(surface, view), |scene, line| {
+                scene.tube(&line, 0.011, Colour::Vermilion)
+            });
+            Photo::new(&scene, size).drawing
+        };
     let [tube, ring, band] = [cylinder(), torus(), moebius_band()];
     let small = [368, 300];
     let above = panels(
@@ -110,15 +110,15 @@ pub fn closed_surfaces() -> Figure {
         &[
             Panel::drawing(
                 "cylinder: *u* closes",
-                photo(&tube, at(4., -7., 4.2), 3.5, small),
+                photo(&tube, net(&tube), at(4., -7., 4.2), 3.5, small),
             ),
             Panel::drawing(
                 "torus: *u* and *v* close",
-                photo(&ring, at(3., -6., 6.), 4.2, small),
+                photo(&ring, net(&ring), at(3., -6., 6.), 4.2, small),
             ),
         ],
     );
-    let below = photo(&band, at(3., -6., 6.), 3.1, [750, 400]);
+    let below = photo(&band, Vec::new(), at(3., -6., 6.), 3.1, [750, 400]);
     let drawing = panels(
         1,
         &[
@@ -128,9 +128,9 @@ pub fn closed_surfaces() -> Figure {
     );
     figure(
         "closed_surfaces",
-        "The slides' three closed surfaces, of degree 3 round the axis and 2 across, with their knot lines (dark) and control nets (orange): $12\\cdot9$ \
-         distinct control points for the cylinder and the Möbius band, $12\\cdot7$ for the torus. No knot line shows where $u=12$ meets $u=0$.",
-        "Three surfaces with dark lines on them under nets of thin orange lines: a tube with a waist, a ring, and below, larger, a band that makes \
+        "The slides' three closed surfaces, of degree 3 round the axis and 2 across, with their knot lines (dark) and, for the upper two, their control nets (orange): $12\\cdot9$ \
+         distinct control points for the cylinder and the Möbius band, $12\\cdot7$ for the torus. None of the knot lines looks different where $u=12$ meets $u=0$.",
+        "Three surfaces with dark lines on them: a tube and a ring under nets of thin orange lines, and below, larger, a band that makes \
          half a turn on its way round.",
         &drawing,
     )

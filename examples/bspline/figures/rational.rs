@@ -164,7 +164,7 @@ pub fn rational_sphere() -> Figure {
     );
     figure(
         "rational_sphere",
-        "The exact sphere: a circle of $9$ points times a half circle of $5$, with parameter lines at steps of $\\tfrac14$. At a pole all of them meet, and one of the \
+        "The exact sphere: a circle of $9$ points times a half circle of $5$, with parameter lines at steps of $\\tfrac14$. At a pole all meridians meet, and one of the \
          partial derivatives is zero; the normal is there all the same, so that the shading shows nothing of it.",
         "Left, a sphere in a cube-like net of points. Right, the same sphere seen from above its pole, with meridians that run together in one point and \
          parallels round it; the shading is even.",

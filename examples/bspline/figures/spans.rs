@@ -79,7 +79,7 @@ pub fn coloured_spans() -> Figure {
     );
     figure(
         "coloured_spans",
-        "One colour, one polynomial. Left: $U=\\{0,0,0,0,1,2,2,2,2\\}$, $p=3$ and $V=\\{0,0,0,1,2,3,3,3\\}$, $q=2$ with the control net. \
+        "Each cell is one polynomial; neighbours differ in colour. Left: $U=\\{0,0,0,0,1,2,2,2,2\\}$, $p=3$ and $V=\\{0,0,0,1,2,3,3,3\\}$, $q=2$ with the control net. \
          Right: $U=\\{0,0,0,0,1,\\dots,5,6,6,6,6\\}$ and $V=\\{0,0,0,1,\\dots,6,7,7,7\\}$. The light shows no seam: across a knot line of \
          $u$ the surface is $C^2$, across one of $v$ it is $C^1$.",
         "Two smooth surfaces cut into coloured cells, no two neighbours alike. The left one has six cells under a net of 25 \

@@ -42,13 +42,13 @@ pub fn chord_error() -> Figure {
         )
         .text(
             [end[0] - 4.0, end[1] + 30.0],
-            "*C*(*a* + *l*)",
+            "*C*(*a* + *ℓ*)",
             19.0,
             Anchor::Middle,
         )
-        .text(
-            [middle[0] + 10.0, 170.0],
-            "at most *l*^{2} *M* / 8",
+        .haloed_text(
+            [middle[0] + 10.0, 214.0],
+            "at most *ℓ*^{2} *M* / 8",
             19.0,
             Anchor::Start,
         )
@@ -94,7 +94,7 @@ pub fn error_against_triangles() -> Figure {
         .expect("positive distances make a plot");
     figure(
         "error_against_triangles",
-        "The largest distance between the bump and its triangles, measured at fifteen points of each. All lines fall by a decade when the triangles grow tenfold. Adaptive triangles are about four times fewer for the same distance; \
+        "The largest distance between the bump and its triangles, measured at fifteen points of each. All lines fall by a decade when the triangles grow tenfold. For the same measured distance adaptive triangles are about four times fewer; for a tolerance kept by promise, about two and a half; \
          what was promised, the tolerance, lies above what is measured, since the bound takes the worst of each piece.",
         "Three falling straight lines over the number of triangles on logarithmic axes. The measured adaptive one is lowest, the promised one a little above it, the uniform one highest.",
         &plot,

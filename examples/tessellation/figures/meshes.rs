@@ -85,7 +85,7 @@ pub fn adaptive_and_uniform() -> Figure {
         let label = format!("{name}: {} triangles", mesh.face_count());
         Panel::picture(
             &label,
-            wires(Scene::new(view), mesh, Colour::Sky, 0.012).render(1100, 720),
+            wires(Scene::new(view), mesh, Colour::Sky, 0.005).render(1100, 720),
         )
     };
     let drawing = panels(

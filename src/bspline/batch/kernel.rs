@@ -12,14 +12,20 @@ use super::patches::{
 };
 use crate::algebra::{Scalar, Vector3};
 use crate::bspline::{BsplineSurface, Direction};
+use crate::curve::count;
 
 /// What a prepared surface can do, whatever its degrees. All lists have as many entries as they must.
 pub(super) trait Kernel<P: Vector3>: Debug + Send + Sync {
     /// Writes the points at the parameters.
     fn points(&self, parameters: &[[P::Scalar; 2]], points: &mut [P]);
 
-    /// Writes the partial derivatives `[S_u, S_v]` at the parameters.
-    fn tangents(&self, parameters: &[[P::Scalar; 2]], tangents: &mut [[P; 2]]);
+    /// Writes the partial derivatives `[S_u, S_v]` at the parameters, and how wrong a coordinate of each can be.
+    fn tangents(
+        &self,
+        parameters: &[[P::Scalar; 2]],
+        tangents: &mut [[P; 2]],
+        noise: &mut [[P::Scalar; 2]],
+    );
 
     /// Writes `[S, S_u, S_v]` at the parameters.
     fn partials(&self, parameters: &[[P::Scalar; 2]], partials: &mut [[P; 3]]);
@@ -40,6 +46,8 @@ pub(super) struct FixedDegrees<S, const N: usize, const M: usize, const DN: usiz
     points: Patches<S, N, M>,
     along_u: Patches<S, DN, M>,
     along_v: Patches<S, N, DM>,
+    /// How wrong a coordinate of `[S_u, S_v]` can be, for each pair of spans.
+    noise: Vec<[S; 2]>,
 }
 
 /// What is known of the points that are evaluated together: the patch of each and its place there, the weights of the patch's control
@@ -90,11 +98,17 @@ where
     /// The surface prepared; `None` where [`Axis::new`] gives none.
     pub(super) fn new<P: Vector3<Scalar = S>>(surface: &BsplineSurface<P>) -> Option<Self> {
         let axis = |direction| Axis::new(surface.knots(direction));
+        let axes = [axis(Direction::U)?, axis(Direction::V)?];
+        let along_u = Patches::new(&surface.derivative_surface(Direction::U));
+        let along_v = Patches::new(&surface.derivative_surface(Direction::V));
+        let roundoffs = S::from_i32(count(16 * (N + M))) * S::unit_roundoff();
+        let sizes = along_u.sizes().zip(along_v.sizes());
         Some(Self {
-            axes: [axis(Direction::U)?, axis(Direction::V)?],
+            axes,
             points: Patches::new(surface),
-            along_u: Patches::new(&surface.derivative_surface(Direction::U)),
-            along_v: Patches::new(&surface.derivative_surface(Direction::V)),
+            noise: sizes.map(|(u, v)| [u * roundoffs, v * roundoffs]).collect(),
+            along_u,
+            along_v,
         })
     }
 
@@ -172,15 +186,23 @@ where
         }
     }
 
-    fn tangents(&self, parameters: &[[P::Scalar; 2]], tangents: &mut [[P; 2]]) {
+    fn tangents(
+        &self,
+        parameters: &[[P::Scalar; 2]],
+        tangents: &mut [[P; 2]],
+        noise: &mut [[P::Scalar; 2]],
+    ) {
         let mut work = Work::<_, N, M, DN, DM>::new();
-        let chunks = parameters.chunks(LANES).zip(tangents.chunks_mut(LANES));
-        for (parameters, tangents) in chunks {
+        let places = tangents.chunks_mut(LANES).zip(noise.chunks_mut(LANES));
+        for (parameters, (tangents, noise)) in parameters.chunks(LANES).zip(places) {
             self.locate(parameters, &mut work);
             self.sum_along_u(parameters.len(), &mut work);
             sum_columns(&work.lower_rows, &work.lower_in_u, tangents, |[s_u, _]| s_u);
             self.sum_along_v(parameters.len(), &mut work);
             sum_columns(&work.rows, &work.in_u, tangents, |[_, s_v]| s_v);
+            for (noise, &patch) in noise.iter_mut().zip(&work.patches) {
+                *noise = self.noise[patch];
+            }
         }
     }
 

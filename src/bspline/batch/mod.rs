@@ -11,13 +11,35 @@
 //! Points are taken in groups, and every step is a plain loop over the group, which the compiler turns into the vector
 //! instructions that it may use: two numbers at a time on any x86-64, eight where the build allows it. Nothing is fused, so the bits are
 //! the same on every processor.
+//!
+//! ```text
+//! S(u,v) = ΣΣ Bᵢᵖ(s) Bⱼᵠ(t) bᵢⱼ          s = (u − uₖ) (1 / (uₖ₊₁ − uₖ)), t likewise; b the Bézier points of the pair of spans
+//! ```
+//!
+//! # Conventions
+//!
+//! Lists hold pairs `[u, v]`; grids and their points run as those of [`Surface::points_on_grid`].
+//!
+//! # Numerics
+//!
+//! Bézier points and Bernstein's polynomials are means and sums of products of non-negative numbers: nothing cancels, as the coefficients
+//! of powers of u would. The inverse of a span's length is rounded before it is used, which a single point avoids by dividing; that, and the
+//! rounded Bézier points, make the bound larger. No operation is fused: the bits do not depend on the processor.
+//!
+//! # Sources
+//!
+//! G. Farin, *Curves and Surfaces for CAGD*, 5th edition, chapters 5 and 14.
+//!
+//! *In the course*: slide 19, the five steps, of which all but the last are done beforehand.
+//!
+//! *In the book*: [Many points at once](../../../bspline/many_points.html).
 
 use std::sync::Arc;
 
 use num_traits::{AsPrimitive, Zero};
 
 use super::{BsplineSurface, Direction};
-use crate::algebra::{Scalar, Vector3, VectorSpace};
+use crate::algebra::{Scalar, Vector3, VectorSpace, larger};
 use crate::surface::{Surface, assert_grid_fits};
 use kernel::{FixedDegrees, Kernel};
 
@@ -124,14 +146,20 @@ where
     pub fn normals(&self, parameters: &[[P::Scalar; 2]], normals: &mut [P]) {
         assert_list_fits(parameters.len(), normals.len());
         let mut tangents = [[P::origin(); 2]; GROUP];
+        let mut noise = [[P::Scalar::zero(); 2]; GROUP];
         for (parameters, normals) in parameters.chunks(GROUP).zip(normals.chunks_mut(GROUP)) {
             let tangents = &mut tangents[..parameters.len()];
+            let noise = &mut noise[..parameters.len()];
             match &self.kernel {
-                Some(kernel) => kernel.tangents(parameters, tangents),
+                Some(kernel) => kernel.tangents(parameters, tangents, noise),
                 None => tangents.fill([P::origin(); 2]),
             }
-            for ((&[u, v], tangents), normal) in parameters.iter().zip(tangents).zip(normals) {
-                *normal = plain_normal(tangents).unwrap_or_else(|| self.careful_normal(u, v));
+            let tangents = tangents.iter().zip(noise);
+            for ((&[u, v], (tangents, noise)), normal) in
+                parameters.iter().zip(tangents).zip(normals)
+            {
+                let plain = plain_normal(tangents, *noise);
+                *normal = plain.unwrap_or_else(|| self.careful_normal(u, v));
             }
         }
     }
@@ -183,28 +211,29 @@ where
 /// So many normals are made from tangents on the stack.
 const GROUP: usize = 64;
 
-/// `S_u × S_v` where its direction is sure without more ado: a coordinate of the product is wrong by at most `8u` of the product of
-/// the largest coordinates (three operations, and the rounding of the partial derivatives), so that a normal must have one that is
-/// larger. Four times that product must be finite, for twice it bounds the coordinates; and so large that `u²` of it is not zero, for
-/// denormal numbers to be below all rounding.
+/// `S_u × S_v` where its direction is sure without more ado: a coordinate of the product is wrong by at most `4u` of the product of
+/// the largest coordinates, by its own three operations, and by twice what the rounding of each tangent may change; a normal must have one
+/// that is twice as large. Four times that product must be finite, for twice it bounds the coordinates; and so large that `u²` of it is
+/// not zero, for denormal numbers to be below all rounding.
 #[inline]
-fn plain_normal<P: Vector3>([s_u, s_v]: &[P; 2]) -> Option<P> {
-    let product = largest(*s_u) * largest(*s_v);
+fn plain_normal<P: Vector3>([s_u, s_v]: &[P; 2], noise: [P::Scalar; 2]) -> Option<P> {
+    let [size_u, size_v] = [largest(*s_u), largest(*s_v)];
+    let product = size_u * size_v;
     let roundoff = P::Scalar::unit_roundoff();
     let [four, eight] = [4, 8].map(P::Scalar::from_i32);
+    let by_noise = four * (noise[0] * (size_v + noise[1]) + noise[1] * size_u);
     let normal = s_u.cross(*s_v);
-    let is_sure = largest(normal) > eight * roundoff * product
+    let is_sure = largest(normal) > eight * roundoff * product + by_noise
         && product * roundoff * roundoff > P::Scalar::zero()
         && Scalar::is_finite(four * product);
     is_sure.then_some(normal)
 }
 
-/// The largest absolute value of a coordinate; those that are NaN do not count.
+/// The largest absolute value of a coordinate; NaN where one is NaN.
 #[inline]
 fn largest<P: Vector3>(vector: P) -> P::Scalar {
     let [x, y, z] = [0, 1, 2].map(|axis| vector.coordinate(axis).magnitude());
-    let of_two = if x > y { x } else { y };
-    if z > of_two { z } else { of_two }
+    larger(larger(x, y), z)
 }
 
 /// `[S, S_u, S_v]` by the surface's own functions.

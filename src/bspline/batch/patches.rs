@@ -4,7 +4,7 @@
 use std::array::from_fn;
 use std::ops::Range;
 
-use crate::algebra::{Scalar, Vector3};
+use crate::algebra::{Scalar, Vector3, larger};
 use crate::bspline::BsplineSurface;
 
 /// So many points are evaluated together: few enough for all intermediate results to stay in the nearest cache.
@@ -41,6 +41,15 @@ impl<S: Scalar, const N: usize, const M: usize> Patches<S, N, M> {
         Self {
             nets: patches.map(|patch| net(&patch.control_points)).collect(),
         }
+    }
+
+    /// The largest absolute value of a coordinate in each net.
+    pub(super) fn sizes(&self) -> impl Iterator<Item = S> {
+        let coordinates = |Net(net): &Net<S, N, M>| {
+            let all = net.as_flattened().as_flattened().iter();
+            all.fold(S::zero(), |most, one| larger(most, one.magnitude()))
+        };
+        self.nets.iter().map(coordinates)
     }
 
     /// For consecutive patches along u the points of the curve in u at one v.

@@ -2,7 +2,7 @@
 
 use thiserror::Error;
 
-use crate::algebra::Scalar;
+use crate::algebra::{Scalar, larger};
 use crate::bspline::{BsplineError, Direction, KnotVector};
 
 /// How the two sides of a surface that lie opposite each other in one direction are joined.
@@ -141,11 +141,7 @@ fn first_difference<S: Scalar>(
 /// at most `5uM` (`2uM` each for the rounded period and its multiple, `uM` for the sum). Four such knots make the difference of two
 /// spacings, each of which is rounded by at most `2uM` once more: `24uM`.
 fn is_equal_up_to_rounding<S: Scalar>(knots: &[S], a: S, b: S) -> bool {
-    let largest = [knots[0], knots[knots.len() - 1]].map(Scalar::magnitude);
-    let largest = if largest[0] < largest[1] {
-        largest[1]
-    } else {
-        largest[0]
-    };
+    let [first, last] = [knots[0], knots[knots.len() - 1]].map(Scalar::magnitude);
+    let largest = larger(first, last);
     (a - b).magnitude() <= S::from_i32(24) * S::unit_roundoff() * largest
 }

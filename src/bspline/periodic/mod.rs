@@ -13,9 +13,18 @@
 //! A parameter beyond the seam is brought back before anything is evaluated, the end of the domain to its start. Both sides of a
 //! seam are therefore evaluated at the same parameter, and are the same bits where nothing is flipped.
 //!
+//! # Numerics
+//!
+//! A parameter is wrapped by an exact remainder, so that a thousand million periods away nothing has been rounded. A mirrored parameter
+//! `v₀ + v₁ − v` is rounded: the two sides of a Möbius band agree up to that, and meshes identify its vertices by number.
+//!
+//! # Sources
+//!
+//! L. Piegl, W. Tiller, *The NURBS Book*, 2nd edition, 1997, section 12.2.
+//!
 //! *In the course*: slides 26 to 31 (*surfaces cylindriques, toriques, ruban de Moebius*).
 //!
-//! *In the book*: [B-splines](../../../bspline.html).
+//! *In the book*: [Surfaces that close](../../../bspline/closed.html).
 
 mod closing;
 mod wrap;

@@ -12,11 +12,18 @@
 //! Weights are positive: in the domain the denominator is then positive too, and a point is a convex combination of its
 //! control points. Outside the domain the denominator may vanish, and the point is infinite or NaN.
 //!
+//! # Numerics
+//!
+//! Weights are positive, so the denominator does not cancel in the domain. Derivatives subtract what the weights alone move: a surface far from
+//! the origin loses digits of its tangents there.
+//!
 //! # Sources
 //!
 //! L. Piegl, W. Tiller, *The NURBS Book*, 2nd edition, 1997, chapters 4 and 7.
 //!
-//! *In the book*: [B-splines](../../../bspline.html).
+//! *In the course*: not treated; cylinders, spheres and cones of later chapters are exact surfaces of this kind.
+//!
+//! *In the book*: [Circles and spheres](../../../bspline/rational.html).
 
 mod homogeneous;
 mod shapes;
@@ -214,6 +221,23 @@ impl<P: VectorSpace> RationalSurface<P> {
     }
 }
 
+impl<P: Vector3> RationalSurface<P> {
+    /// How wrong a coordinate of each partial derivative `(A_u − w_u S) / w` can be: `A_u` and `w_u` by roundoffs of the largest difference
+    /// quotients that they are made of, `S` by roundoffs of the largest weighted point over `w`.
+    fn tangents_noise(&self, u: P::Scalar, v: P::Scalar) -> [P::Scalar; 2] {
+        let surface = &self.homogeneous;
+        let weight = surface.point(u, v).weight;
+        let [point, a_u, a_v] =
+            surface.largest_differences(u, v, |h| h.weighted.largest_coordinate());
+        let [_, w_u, w_v] = surface.largest_differences(u, v, |h| h.weight.magnitude());
+        let two = P::Scalar::from_i32(2);
+        [(a_u, w_u), (a_v, w_v)].map(|(of_points, of_weights)| {
+            let sum = of_points + two * of_weights * (point / weight);
+            sum * surface.roundoffs() / weight
+        })
+    }
+}
+
 /// The homogeneous points of these points and weights.
 fn weighted_points<P: VectorSpace>(
     points: &[P],
@@ -289,7 +313,9 @@ impl<P: VectorSpace> Surface for RationalSurface<P> {
         P: Vector3,
     {
         let knots = [Direction::U, Direction::V].map(|direction| self.knots(direction));
-        normal_of(knots, [u, v], |orders| self.derivative_at(orders, u, v))
+        normal_of(knots, [u, v], self.tangents_noise(u, v), |orders| {
+            self.derivative_at(orders, u, v)
+        })
     }
 
     fn points_on_grid(&self, us: &[P::Scalar], vs: &[P::Scalar], points: &mut [P]) {

@@ -22,7 +22,9 @@
 //!
 //! J. R. Shewchuk, *Adaptive precision floating-point arithmetic and fast robust geometric predicates*, 1997, section 4.1.
 //!
-//! *In the book*: [B-splines](../../../bspline.html).
+//! *In the course*: the corner of a suitcase (*coin de valise*), which triangles fill.
+//!
+//! *In the book*: [Surfaces cut along a curve](../../../bspline/trimming.html).
 
 mod flatten;
 mod polygon;
@@ -35,6 +37,7 @@ use crate::surface::Surface;
 use polygon::{double_area, first_crossing};
 
 pub use polygon::Place;
+pub(crate) use polygon::turn;
 
 /// What keeps a loop from limiting a surface.
 #[derive(Clone, Debug, PartialEq, Error)]

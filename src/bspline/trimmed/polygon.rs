@@ -52,7 +52,7 @@ fn clamped<S: Scalar>(value: S, [low, high]: [S; 2]) -> S {
 ///
 /// The error bound of the two products: Shewchuk 1997, section 4.1, `ccwerrboundA`.
 // ANCHOR: turn
-fn turn<S: Scalar>(a: Point<S>, b: Point<S>, c: Point<S>) -> S {
+pub(crate) fn turn<S: Scalar>(a: Point<S>, b: Point<S>, c: Point<S>) -> S {
     let left = (a[0] - c[0]) * (b[1] - c[1]);
     let right = (a[1] - c[1]) * (b[0] - c[0]);
     let u = S::unit_roundoff();

@@ -4,7 +4,7 @@ use std::array::from_fn;
 
 use facette::algebra::{Scalar, VectorSpace};
 use facette::bspline::{BsplineSurface, Direction, KnotVector, find_span};
-use num_traits::AsPrimitive;
+use num_traits::{AsPrimitive, ToPrimitive, Zero};
 use proptest::collection::vec;
 use proptest::prelude::*;
 
@@ -126,6 +126,48 @@ impl<S: Float> Rounded<S> {
         exact_sum(&self.surface, self.at)
     }
 
+    /// The partial derivative in one direction and, for each coordinate, the largest difference quotient of control points that counts
+    /// for it; both from the stored numbers, without rounding.
+    pub fn exact_partial(&self, direction: Direction) -> ([Big; 3], [f64; 3]) {
+        if direction == Direction::V {
+            let turned = Self {
+                surface: self.surface.transposed(),
+                at: [self.at[1], self.at[0]],
+                spans: [self.spans[1], self.spans[0]],
+            };
+            return turned.exact_partial(Direction::U);
+        }
+        let knots = self.surface.knots(Direction::U);
+        let degree = knots.degree();
+        let stored: Vec<f64> = knots.knots().iter().map(|&knot| knot.into()).collect();
+        let [u, end] = [self.at[0], knots.domain()[1]].map(Into::into);
+        let lower = big_bspline_basis(degree - 1, &stored[1..stored.len() - 1], &big(u), end);
+        let in_v = exact_basis(self.surface.knots(Direction::V), self.at[1]);
+        let (mut weights, mut quotients) = (Vec::new(), Vec::new());
+        let mut sizes = [0.0_f64; 3];
+        for (j, b) in in_v.iter().enumerate() {
+            for (i, a) in lower.iter().enumerate() {
+                let width = big(stored[i + degree + 1]) - big(stored[i + 1]);
+                if width.is_zero() {
+                    continue;
+                }
+                let [start, end] =
+                    [i, i + 1].map(|i| big_point(wide(self.surface.control_point(i, j))));
+                let factor = Big::from_integer(degree.into()) / width;
+                let quotient: [Big; 3] = from_fn(|axis| (&end[axis] - &start[axis]) * &factor);
+                let [first, row] = [self.spans[0] - degree, self.spans[1]];
+                let height = self.surface.knots(Direction::V).degree();
+                if (first..self.spans[0]).contains(&i) && (row - height..=row).contains(&j) {
+                    let size = |axis: usize| quotient[axis].to_f64().unwrap_or(0.0).abs();
+                    sizes = from_fn(|axis| sizes[axis].max(size(axis)));
+                }
+                weights.push(a * b);
+                quotients.push(quotient);
+            }
+        }
+        (big_combination(&weights, &quotients), sizes)
+    }
+
     /// For each coordinate the largest one of the control points that count.
     pub fn sizes(&self) -> [f64; 3] {
         largest_of(&self.surface, self.spans)
@@ -133,7 +175,7 @@ impl<S: Float> Rounded<S> {
 }
 
 /// The point of a surface at the given parameters, by the double sum over all control points, without rounding.
-pub fn exact_sum<S: Float>(surface: &BsplineSurface<[S; 3]>, at: [S; 2]) -> [Big; 3] {
+fn exact_sum<S: Float>(surface: &BsplineSurface<[S; 3]>, at: [S; 2]) -> [Big; 3] {
     let [in_u, in_v] = [(Direction::U, at[0]), (Direction::V, at[1])]
         .map(|(direction, u)| exact_basis(surface.knots(direction), u));
     let (mut weights, mut points) = (Vec::new(), Vec::new());
@@ -147,7 +189,7 @@ pub fn exact_sum<S: Float>(surface: &BsplineSurface<[S; 3]>, at: [S; 2]) -> [Big
 }
 
 /// For each coordinate the largest absolute value among the control points that count on these spans.
-pub fn largest_of<S: Float>(surface: &BsplineSurface<[S; 3]>, spans: [usize; 2]) -> [f64; 3] {
+fn largest_of<S: Float>(surface: &BsplineSurface<[S; 3]>, spans: [usize; 2]) -> [f64; 3] {
     let [p, q] = [Direction::U, Direction::V].map(|direction| surface.knots(direction).degree());
     let mut sizes = [0.0_f64; 3];
     for i in spans[0] - p..=spans[0] {

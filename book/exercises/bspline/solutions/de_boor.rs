@@ -15,14 +15,14 @@ pub fn de_boor_point<P: VectorSpace>(
     let u_at = |i: usize| knots.knots()[i];
 
     // The point number i stands at the place i - (k - p).
-    let mut d = control_points[k - p..=k].to_vec();
+    let mut points = control_points[k - p..=k].to_vec();
     for r in 1..=p {
-        // From the last to the first, so that d[place - 1] is still the one of the level before.
+        // From the last to the first, so that points[place - 1] is still the one of the level before.
         for place in (r..=p).rev() {
             let i = k - p + place;
             let a = (u - u_at(i)) / (u_at(i + p + 1 - r) - u_at(i));
-            d[place] = d[place - 1].lerp(d[place], a);
+            points[place] = points[place - 1].lerp(points[place], a);
         }
     }
-    d[p]
+    points[p]
 }

@@ -63,6 +63,15 @@ pub fn cox_de_boor<S: Scalar>(knots: &KnotVector<S>, degree: usize, i: usize, u:
 ///
 /// The value of `N_k^(d-1)`, whose support is from `u_k` to `u_(k+d)`, is split by
 /// `t = (u - u_k) / (u_(k+d) - u_k)`: the part `1 - t` of it belongs to `N_(k-1)^d`, the part `t` to `N_k^d`.
+///
+/// What you can use:
+///
+/// ```text
+/// knots.degree()              p
+/// knots.knots()[i]            the knot u_i
+/// values[0] to values[p]      p + 1 places to write to; what they hold when your function begins means nothing
+/// S::zero(), S::one()         the numbers 0 and 1 of the type S
+/// ```
 pub fn basis_functions<S: Scalar>(knots: &KnotVector<S>, span: usize, u: S, values: &mut [S]) {
     todo!("basis_functions: the p + 1 values on the span")
 }

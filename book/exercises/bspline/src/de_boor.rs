@@ -10,10 +10,10 @@ use reference::bspline::find_span;
 /// The point `C(u)` of the B-spline curve with these knots and control points, by repeated interpolation:
 ///
 /// ```text
-/// level 0:       d_i = P_i                                      for the p + 1 points  i = k-p, ..., k  of the span k
-/// level r:       d_i = (1 - a) d_(i-1) + a d_i                  for                   i = k-p+r, ..., k
-///                with  a = (u - u_i) / (u_(i+p+1-r) - u_i)      d_(i-1) and d_i on the right: those of level r-1
-/// C(u) = d_k of level p
+/// level 0:       P_i^0 = P_i                                         for the p + 1 points  i = k-p, ..., k  of the span k
+/// level r:       P_i^r = (1 - a) P_(i-1)^(r-1) + a P_i^(r-1)         for                   i = k-p+r, ..., k
+///                with  a = (u - u_i) / (u_(i+p+1-r) - u_i)           r = 1, ..., p: a level, not a power
+/// C(u) = P_k^p
 /// ```
 ///
 /// What you can use:
@@ -33,5 +33,5 @@ pub fn de_boor_point<P: VectorSpace>(
     // The span k.
     let k = find_span(knots, u);
 
-    todo!("de_boor_point: the last of the points d_i")
+    todo!("de_boor_point: the last point, P_k^p")
 }
