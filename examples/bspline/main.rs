@@ -6,28 +6,15 @@
 
 mod figures;
 
-use std::path::Path;
 use std::process::ExitCode;
+
+use facette_figure::example::{exit_code, write_figures};
 
 fn main() -> ExitCode {
     let done = if std::env::args().len() > 1 {
         Err("usage: bspline (without arguments)".into())
     } else {
-        write_figures()
+        write_figures("bspline", figures::FIGURES).map_err(Into::into)
     };
-    match done {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(error) => {
-            eprintln!("error: {error}");
-            ExitCode::FAILURE
-        }
-    }
-}
-
-fn write_figures() -> Result<(), Box<dyn std::error::Error>> {
-    for figure in figures::FIGURES {
-        let path = (figure.make)().write(Path::new("target/figures/bspline"))?;
-        println!("{}", path.display());
-    }
-    Ok(())
+    exit_code(done)
 }

@@ -11,28 +11,16 @@ mod patch_from_file;
 use std::path::Path;
 use std::process::ExitCode;
 
+use facette_figure::example::{exit_code, write_figures};
+
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let done = match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
-        [] => write_figures(),
+        [] => write_figures("coons", figures::FIGURES).map_err(Into::into),
         [boundary, "--out", patch] | ["--out", patch, boundary] => {
             patch_from_file::run(Path::new(boundary), Path::new(patch))
         }
         _ => Err("usage: coons [BOUNDARY.obj --out PATCH.obj]".into()),
     };
-    match done {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(error) => {
-            eprintln!("error: {error}");
-            ExitCode::FAILURE
-        }
-    }
-}
-
-fn write_figures() -> Result<(), Box<dyn std::error::Error>> {
-    for figure in figures::FIGURES {
-        let path = (figure.make)().write(Path::new("target/figures/coons"))?;
-        println!("{}", path.display());
-    }
-    Ok(())
+    exit_code(done)
 }

@@ -8,10 +8,9 @@ pub mod meshes;
 use std::collections::HashSet;
 
 use facette::mesh::Mesh;
+use facette_figure::FigureMaker;
 use facette_figure::palette::Colour;
 use facette_figure::render::{Material, Scene, Triangles};
-use facette_figure::svg::Drawing;
-use facette_figure::{Content, Figure, FigureMaker};
 use glam::DVec3;
 
 /// All figures of the chapter, in the order of the text.
@@ -51,16 +50,4 @@ pub fn wires(scene: Scene, mesh: &Mesh<DVec3>, colour: Colour, radius: f64) -> S
         }
     }
     scene
-}
-
-/// A figure from a drawing and its words.
-fn figure(name: &'static str, caption: &str, alternative: &str, drawing: &Drawing) -> Figure {
-    let (caption, alternative) = (caption.to_owned(), alternative.to_owned());
-    let content = Content::Svg(drawing.to_svg(name, &alternative));
-    Figure {
-        name,
-        caption,
-        alternative,
-        content,
-    }
 }

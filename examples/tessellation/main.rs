@@ -14,31 +14,19 @@ mod surface_from_file;
 use std::path::Path;
 use std::process::ExitCode;
 
+use facette_figure::example::{exit_code, write_figures};
+
 const USAGE: &str = "usage: tessellation [CONTROL_GRID.obj --tolerance DISTANCE --out SURFACE.obj]";
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let done = match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
-        [] => write_figures(),
+        [] => write_figures("tessellation", figures::FIGURES).map_err(Into::into),
         [grid, "--tolerance", tolerance, "--out", surface] => match tolerance.parse() {
             Ok(tolerance) => surface_from_file::run(Path::new(grid), tolerance, Path::new(surface)),
             Err(_) => Err(format!("the tolerance \"{tolerance}\" is not a number; {USAGE}").into()),
         },
         _ => Err(USAGE.into()),
     };
-    match done {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(error) => {
-            eprintln!("error: {error}");
-            ExitCode::FAILURE
-        }
-    }
-}
-
-fn write_figures() -> Result<(), Box<dyn std::error::Error>> {
-    for figure in figures::FIGURES {
-        let path = (figure.make)().write(Path::new("target/figures/tessellation"))?;
-        println!("{}", path.display());
-    }
-    Ok(())
+    exit_code(done)
 }

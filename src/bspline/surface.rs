@@ -45,7 +45,7 @@ pub fn surface_point<P: VectorSpace>(surface: &BsplineSurface<P>, u: P::Scalar, 
 /// As [`surface_point`]; the functions of u and of v, and the control points of the isoparametric curve, are kept in the three buffers.
 #[allow(
     clippy::inline_always,
-    reason = "the lengths of the buffers are known to the caller only: half the time of a bicubic point"
+    reason = "the lengths of the buffers are known to the caller only: a third of the time of a bicubic point"
 )]
 #[inline(always)]
 // ANCHOR: surface_point
@@ -250,7 +250,7 @@ impl<P: VectorSpace> BsplineSurface<P> {
     /// Differences of control points are taken first and combined with weights that sum to 1: a surface far from the origin keeps its
     /// tangents as well as its control points hold them. A first derivative in the domain is within `(6p + 6q)u · D` in each coordinate, `D`
     /// the largest difference quotient of the control points that count (tested as
-    /// `partial_derivative_error_stays_below_its_bound`).
+    /// `partial_derivative_error_stays_below_its_bound`). Higher orders take differences of rounded differences and have no such bound.
     pub fn derivative_at(&self, [k, l]: [usize; 2], u: P::Scalar, v: P::Scalar) -> P {
         let [in_u, in_v] = &self.knots;
         let [p, q] = [in_u.degree(), in_v.degree()];

@@ -5,24 +5,14 @@
 
 #[path = "mistakes/basis.rs"]
 mod basis;
+#[path = "../common/mistake.rs"]
+mod mistake;
 #[path = "mistakes/points.rs"]
 mod points;
 
 pub use basis::{basis_functions, cox_de_boor, find_span};
+pub use mistake::Mistake;
 pub use points::{de_boor_point, insert_knot, surface_point};
-
-/// A typical mistake.
-#[derive(Clone, Copy, Debug)]
-pub struct Mistake {
-    /// Its name.
-    pub name: &'static str,
-    /// The exercise in which it is made.
-    pub exercise: &'static str,
-    /// The theorem that rejects it.
-    pub rejected_by: &'static str,
-    /// What its maker should look at.
-    pub hint: &'static str,
-}
 
 /// The exercise of a function, and the theorem that rejects its mistakes.
 type Function = [&'static str; 2];
@@ -147,13 +137,5 @@ fn is_of([_, rejected_by]: Function, mistake: &str) -> bool {
 #[test]
 #[ignore = "a list for the grader, not a check"]
 fn list_mistakes() {
-    for Mistake {
-        name,
-        exercise,
-        rejected_by,
-        hint,
-    } in MISTAKES
-    {
-        println!("{name}\t{exercise}\t{rejected_by}\t{hint}");
-    }
+    mistake::print_all(MISTAKES);
 }

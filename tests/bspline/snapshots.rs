@@ -1,33 +1,19 @@
 //! What the chapter's example makes, kept: numbers as text, pictures with a tolerance.
 
 use std::fmt::Write as _;
-use std::path::Path;
 
-use facette::algebra::unit_vector;
 use facette::bspline::{KnotVector, basis_functions, find_span};
-use facette::surface::Surface;
-use facette_figure::Content;
-use facette_figure::difference::{Difference, assert_picture_matches};
 use facette_figure::palette::Colour;
 use facette_figure::render::{Material, Scene, View};
 use glam::DVec3;
 
 #[path = "../../examples/bspline/figures.rs"]
 mod figures;
+#[path = "../common/snapshots.rs"]
+mod kept;
 
 use figures::shapes::{at, clamped, five_by_five, nine_by_nine, pieces, slide_15, surface};
-
-/// Pictures are made of the same operations on every processor; a channel may still differ by this part of its range where a
-/// triangle's edge passes through a sample.
-const PICTURE_BOUND: f64 = 0.05;
-
-fn keep(name: &str, text: &str) {
-    let mut settings = insta::Settings::clone_current();
-    settings.set_snapshot_path(concat!(env!("CARGO_MANIFEST_DIR"), "/snapshots"));
-    settings.set_prepend_module_to_snapshot(false);
-    settings.set_omit_expression(true);
-    settings.bind(|| insta::assert_snapshot!(format!("bspline__{name}"), text));
-}
+use kept::{drawing_of, keep, keep_picture, table_of, words_of};
 
 /// The basis functions that are not zero, at 21 places of the domain: span, then the values.
 fn basis_table(knots: &KnotVector<f64>) -> String {
@@ -51,7 +37,7 @@ fn basis_table(knots: &KnotVector<f64>) -> String {
 fn shape_functions_of_the_slides() {
     let [u, v] = slide_15();
     keep(
-        "shape_functions",
+        "bspline__shape_functions",
         &format!(
             "U, p = 3\n{}\nV, q = 2\n{}",
             basis_table(&u),
@@ -60,83 +46,24 @@ fn shape_functions_of_the_slides() {
     );
 }
 
-fn table(surface: &impl Surface<Scalar = f64, Point = DVec3>) -> String {
-    let [[u0, u1], [v0, v1]] = surface.domain();
-    let mut table =
-        String::from("   u    v |         x         y         z |       n_x       n_y       n_z\n");
-    for (i, j) in (0..=4).flat_map(|i| (0..=4).map(move |j| (i, j))) {
-        let u = u0 + (u1 - u0) * f64::from(i) / 4.0;
-        let v = v0 + (v1 - v0) * f64::from(j) / 4.0;
-        let normal = surface.normal_vector(u, v).and_then(unit_vector);
-        let normal = normal.unwrap_or(DVec3::NAN);
-        // Rounding, then adding zero, turns -0 into 0, which would print a sign.
-        let rounded = |x: f64| (x * 1e6).round() / 1e6 + 0.0;
-        let [x, y, z] = surface.point(u, v).to_array().map(rounded);
-        let [a, b, c] = normal.to_array().map(rounded);
-        let _ = writeln!(
-            table,
-            "{u:.2} {v:.2} | {x:9.6} {y:9.6} {z:9.6} | {a:9.6} {b:9.6} {c:9.6}"
-        );
-    }
-    table
-}
-
 #[test]
 fn points_and_normals_of_the_two_pictured_surfaces() {
-    keep("five_by_five", &table(&five_by_five()));
-    keep("nine_by_nine", &table(&nine_by_nine()));
+    keep("bspline__five_by_five", &table_of(&five_by_five()));
+    keep("bspline__nine_by_nine", &table_of(&nine_by_nine()));
 }
 
 /// The words of all figures, and how large each is: a figure that comes out empty changes its line.
 #[test]
 fn figures_have_captions_alternatives_and_content() {
-    let mut text = String::new();
-    for maker in figures::FIGURES {
-        let figure = (maker.make)();
-        assert_eq!(figure.name, maker.name);
-        let Content::Svg(svg) = &figure.content else {
-            unreachable!("the chapter's figures are SVG")
-        };
-        assert!(
-            svg.contains("viewBox") && svg.contains("<desc>"),
-            "{} is no figure",
-            maker.name
-        );
-        let [pictures, paths, words] =
-            ["<image", "<path", "<text"].map(|tag| svg.matches(tag).count());
-        // Measurements are made anew with every report, and so are the marks that show them.
-        let size = match maker.name {
-            "speed_against_error" => String::new(),
-            _ => format!("{pictures} pictures, {paths} paths, {words} texts"),
-        };
-        let _ = writeln!(
-            text,
-            "{}: {size}\n  {}\n  {}\n",
-            figure.name, figure.caption, figure.alternative
-        );
-    }
-    keep("figures", &text);
+    keep("bspline__figures", &words_of(figures::FIGURES));
 }
 
 #[test]
 fn plots_of_the_shape_functions() {
     for name in ["basis_u", "basis_v"] {
-        let maker = figures::FIGURES.iter().find(|maker| maker.name == name);
-        let figure = (maker.expect("the chapter has this figure").make)();
-        let Content::Svg(svg) = figure.content else {
-            unreachable!("a plot is SVG")
-        };
-        keep(name, &svg);
+        let drawing = drawing_of(figures::FIGURES, name);
+        keep(&format!("bspline__{name}"), &drawing);
     }
-}
-
-fn keep_picture(name: &str, scene: &Scene, width: u32, height: u32) {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("snapshots/bspline__{name}.png"));
-    assert_picture_matches(
-        &path,
-        &scene.render(width, height),
-        &Difference::bound(PICTURE_BOUND),
-    );
 }
 
 #[test]
@@ -149,7 +76,7 @@ fn picture_of_one_polynomial_for_each_rectangle() {
         let material = Material::matte(COLOURS[(column + row) % 3]);
         scene = scene.surface(&piece.mesh, material);
     }
-    keep_picture("coloured_spans", &scene, 360, 260);
+    keep_picture("bspline__coloured_spans", &scene, 360, 260);
 }
 
 #[test]
@@ -165,5 +92,5 @@ fn picture_of_isophotes_across_a_double_knot() {
         let material = Material::isophotes(Colour::Sky, at(0.1, -0.8, 0.55), 30);
         scene = scene.surface(&piece.mesh, material);
     }
-    keep_picture("double_knot", &scene, 320, 220);
+    keep_picture("bspline__double_knot", &scene, 320, 220);
 }

@@ -5,18 +5,10 @@ use facette::algebra::{Scalar, VectorSpace};
 use facette::coons::{Boundary, Corners, HermiteBoundary, hermite_basis as right_basis};
 use facette::curve::Curve;
 
-/// A typical mistake.
-#[derive(Clone, Copy, Debug)]
-pub struct Mistake {
-    /// Its name.
-    pub name: &'static str,
-    /// The exercise in which it is made.
-    pub exercise: &'static str,
-    /// The theorem that rejects it.
-    pub rejected_by: &'static str,
-    /// What its maker should look at.
-    pub hint: &'static str,
-}
+pub use mistake::Mistake;
+
+#[path = "../common/mistake.rs"]
+mod mistake;
 
 const fn mistake(
     name: &'static str,
@@ -249,13 +241,5 @@ pub fn bicubic_point<C: Curve>(
 #[test]
 #[ignore = "a list for the grader, not a check"]
 fn list_mistakes() {
-    for Mistake {
-        name,
-        exercise,
-        rejected_by,
-        hint,
-    } in MISTAKES
-    {
-        println!("{name}\t{exercise}\t{rejected_by}\t{hint}");
-    }
+    mistake::print_all(MISTAKES);
 }

@@ -11,10 +11,12 @@
 //! | [`speed`] | the scatter plot of speed against error |
 //! | [`render`] | pictures of surfaces, curves and points |
 //! | [`difference`] | how far two pictures are apart, for snapshots |
+//! | [`example`] | what the examples do alike |
 
 #![warn(missing_docs)]
 
 pub mod difference;
+pub mod example;
 pub mod palette;
 pub mod plot;
 pub mod render;
@@ -74,6 +76,22 @@ pub struct FigureMaker {
 static TEMPORARY: AtomicU64 = AtomicU64::new(0);
 
 impl Figure {
+    /// The figure of a drawing, with its words.
+    #[must_use]
+    pub fn drawn(
+        name: &'static str,
+        caption: &str,
+        alternative: &str,
+        drawing: &svg::Drawing,
+    ) -> Self {
+        Self {
+            name,
+            caption: caption.to_owned(),
+            alternative: alternative.to_owned(),
+            content: Content::Svg(drawing.to_svg(name, alternative)),
+        }
+    }
+
     /// The name of the figure's file: its name with the extension of its content.
     #[must_use]
     pub fn file_name(&self) -> String {

@@ -8,7 +8,7 @@ use facette_figure::render::{Material, Scene, View};
 use facette_figure::svg::{Anchor, Dashes, Drawing, PAGE_WIDTH, Panel, Stroke, panels};
 use glam::DVec3;
 
-use super::shapes::{Surface, at, figure, knot_text, pieces, slide_15, surface};
+use super::shapes::{Surface, at, knot_text, pieces, slide_15, surface};
 
 /// Where a plot of shape functions lies in its drawing.
 struct Frame {
@@ -135,7 +135,7 @@ fn shape_functions(knots: &KnotVector<f64>, degree: &str, letter: &str) -> Drawi
 /// The seven cubic shape functions of the slides' U.
 pub fn basis_u() -> Figure {
     let [u, _] = slide_15();
-    figure(
+    Figure::drawn(
         "basis_u",
         "The seven shape functions of degree 3 of $U=\\{0,0,0,0,\\frac14,\\frac12,\\frac34,1,1,1,1\\}$. Each lives on at most four spans, and \
          at most four overlap anywhere. A dot below the axis is a knot; four at each end let $N_0$ and $N_6$ reach 1 there.",
@@ -148,7 +148,7 @@ pub fn basis_u() -> Figure {
 /// The eight quadratic shape functions of the slides' V, with its double knot.
 pub fn basis_v() -> Figure {
     let [_, v] = slide_15();
-    figure(
+    Figure::drawn(
         "basis_v",
         "The eight shape functions of degree 2 of $V=\\{0,0,0,\\frac15,\\frac25,\\frac35,\\frac35,\\frac45,1,1,1\\}$. At the double knot \
          $\\frac35$ one of them, $N_4$, reaches 1 in a corner: continuity falls from $C^1$ to $C^0$, and all others are 0 there.",
@@ -199,7 +199,7 @@ pub fn basis_domain() -> Figure {
         TEXT,
         Anchor::Middle,
     );
-    figure(
+    Figure::drawn(
         "basis_domain",
         "The fifteen shape functions of degree 3 of $U=\\{-3,-2,\\dots,15\\}$, all alike. Their sum (dotted) is 1 on the domain $[u_3,u_{15}]=[0,12]$, \
          shaded, and on no more: further out some of the four that ought to overlap are missing.",
@@ -268,7 +268,7 @@ pub fn surface_basis() -> Figure {
             panel("*N*_0(*u*) *N*_0(*v*), at a corner", [0, 0], scale),
         ],
     );
-    figure(
+    Figure::drawn(
         "surface_basis",
         "Four of the $7\\cdot8$ products $N_i^3(u)N_j^2(v)$ over the parameter square, on the same scale. Orange is the support: at most \
          four spans by three, and the function is zero on all others. At the double knot $v=\\frac35$ the hill is pointed \

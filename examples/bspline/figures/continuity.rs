@@ -8,7 +8,7 @@ use facette_figure::render::{Material, Scene, View};
 use facette_figure::svg::{Panel, panels};
 use glam::DVec3;
 
-use super::shapes::{Surface, at, clamped, figure, pieces, surface};
+use super::shapes::{Surface, at, clamped, pieces, surface};
 
 /// A surface over one net of 8 by 5 control points, of degrees 3 and 3.
 fn over_the_net(u: KnotVector<f64>) -> Surface {
@@ -44,7 +44,7 @@ pub fn continuity() -> Figure {
             panel("*u* = 3 four times: torn", &[3., 3., 3., 3.]),
         ],
     );
-    figure(
+    Figure::drawn(
         "continuity",
         "Isophotes, the lines of equal light, on surfaces of degree 3 in $u$ over the same net; the orange points end the line $u=3$. Where \
          that knot is simple the stripes cross it smoothly; where it is double they stay whole but break their direction; where it is \

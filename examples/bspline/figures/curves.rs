@@ -8,9 +8,7 @@ use facette_figure::render::{Material, Scene, View};
 use facette_figure::svg::{Anchor, Dashes, Drawing, PAGE_WIDTH, Stroke};
 use glam::{DVec2, DVec3};
 
-use super::shapes::{
-    Photo, Surface, at, figure, five_by_five, knot_text, net_size, pieces, row, slide_15,
-};
+use super::shapes::{Photo, Surface, at, five_by_five, knot_text, net_size, pieces, row, slide_15};
 
 /// The control points of the chapter's plane cubic, in the units of a drawing, y down.
 const POINTS: [[f64; 2]; 7] = [
@@ -132,7 +130,7 @@ pub fn de_boor() -> Figure {
     let end = curve.point(U);
     drawing = drawing.disc(end.to_array(), 6.5, Colour::Ink);
     drawing = name_de_boor(drawing, points, &rounds, end);
-    figure(
+    Figure::drawn(
         "de_boor",
         "De Boor's points for $u=\\frac38$, which lies in the span $[\\frac14,\\frac12]$ of $P_1,\\dots,P_4$. Each round puts a point on every side \
          of the polygon before (orange, then green), at a ratio of knot differences; the last round has one \
@@ -186,7 +184,7 @@ pub fn knot_insertion() -> Figure {
             ("*Q*_4", after[4], [24.0, 4.0]),
         ],
     );
-    figure(
+    Figure::drawn(
         "knot_insertion",
         "The knot $\\frac25$ is inserted, and the curve does not move. $Q_2$, $Q_3$ and $Q_4$ take the place of $P_2$ and $P_3$ (rings); all other \
          control points stay. The new ones lie on the sides of the old polygon: they are the first round of de Boor's scheme at \
@@ -211,7 +209,7 @@ pub fn degree_elevation() -> Figure {
         true,
     );
     drawing = draw_knots(draw_curve(drawing, &old), &old);
-    figure(
+    Figure::drawn(
         "degree_elevation",
         "The same curve as one of degree 4 (orange polygon, eleven points) instead of 3 (dashed, seven points). Each inner knot is now \
          double, because the curve has not become smoother than $C^2$ there.",
@@ -244,7 +242,7 @@ pub fn isoparametric() -> Figure {
     for (j, &point) in across.control_points().iter().enumerate() {
         photo = photo.text(point, [2.0, 28.0], &format!("*Q*_{j}"), 18.0);
     }
-    figure(
+    Figure::drawn(
         "isoparametric",
         "The curve $u=\\frac75$ of a surface (orange). Each row of the net controls a curve in $u$ (blue); its point at $\\frac75$ is \
          $Q_j$, and the $Q_j$ are the control points of the orange curve, with the knots $V$.",

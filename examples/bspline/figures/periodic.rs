@@ -11,7 +11,7 @@ use facette_figure::render::{Material, Scene, View};
 use facette_figure::svg::{Anchor, Dashes, Drawing, Panel, Stroke, panels};
 use glam::DVec3;
 
-use super::shapes::{Photo, at, clamped, figure, knot_vector};
+use super::shapes::{Photo, at, clamped, knot_vector};
 
 type Closed = PeriodicSurface<DVec3>;
 
@@ -126,7 +126,7 @@ pub fn closed_surfaces() -> Figure {
             Panel::drawing("Möbius band: *u* closes flipped", below),
         ],
     );
-    figure(
+    Figure::drawn(
         "closed_surfaces",
         "The slides' three closed surfaces, of degree 3 round the axis and 2 across, with their knot lines (dark) and, for the upper two, their control nets (orange): $12\\cdot9$ \
          distinct control points for the cylinder and the Möbius band, $12\\cdot7$ for the torus. None of the knot lines looks different where $u=12$ meets $u=0$.",
@@ -178,7 +178,7 @@ pub fn repeated_points() -> Figure {
             drawing = drawing.text([x - 32.0, y + 6.0], &text, 17.0, Anchor::Middle);
         }
     }
-    figure(
+    Figure::drawn(
         "repeated_points",
         "The net of the slides' torus as it is stored, $15\\cdot9$ points, with the numbers of the distinct columns and rows. Beyond the dashed lines \
          the first three columns and the first two rows stand again. The six large orange points stand four times, the blue ones twice, the small \
@@ -233,7 +233,7 @@ pub fn carried_normals() -> Figure {
         }
         Panel::drawing(label, Photo::new(&scene, [368, 300]).drawing)
     };
-    figure(
+    Figure::drawn(
         "carried_normals",
         "A normal carried along the middle line from $u=0$ (green) to $u=12$ (orange), where the two are one point of the surface. Round the cylinder it \
          comes back as itself, and the longer orange one runs through the green one; round the Möbius band it comes back as its opposite, although it never jumps on its way. The band has \

@@ -9,7 +9,7 @@ use facette_figure::render::{Material, Scene, View};
 use facette_figure::svg::{Anchor, Drawing, Panel, Stroke, panels};
 use glam::DVec3;
 
-use super::shapes::{Photo, at, figure};
+use super::shapes::{Photo, at};
 
 /// From the plane of a curve to a drawing: this many units for one, y upwards.
 struct Plane {
@@ -73,7 +73,7 @@ pub fn weights() -> Figure {
                 .disc([x, y], 5.0, Colour::Ink)
                 .text([x, y + down], name, 18.0, Anchor::Middle);
     }
-    figure(
+    Figure::drawn(
         "weights",
         "Quadratic pieces with the same three control points and the weights $1,w_1,1$. With $w_1=1$ it is a parabola, the B-spline; smaller weights give \
          ellipses, larger ones hyperbolas. Each point moves on a straight line towards $P_1$ as the weight grows.",
@@ -114,7 +114,7 @@ pub fn rational_circle() -> Figure {
         };
         drawing = drawing.text([x + dx, y + dy], &label, 18.0, anchor);
     }
-    figure(
+    Figure::drawn(
         "rational_circle",
         "The exact circle: four quadratic quarters, each control point with its weight, and the parameters of the joints. The orange points stand at equal steps of $\\tfrac18$ of the \
          parameter; on the circle they crowd towards $(0,\\pm1)$, where the curve is half as fast as at $(\\pm1,0)$.",
@@ -162,7 +162,7 @@ pub fn rational_sphere() -> Figure {
             ),
         ],
     );
-    figure(
+    Figure::drawn(
         "rational_sphere",
         "The exact sphere: a circle of $9$ points times a half circle of $5$, with parameter lines at steps of $\\tfrac14$. At a pole all meridians meet, and one of the \
          partial derivatives is zero; the normal is there all the same, so that the shading shows nothing of it.",

@@ -5,7 +5,7 @@ use facette::mesh::{Mesh, tessellate_uniformly};
 use facette_figure::palette::Colour;
 use facette_figure::render::{Scene, View};
 use facette_figure::svg::{Anchor, Drawing, Stroke};
-use facette_figure::{Content, Figure};
+
 use glam::DVec3;
 
 /// A surface in space.
@@ -204,18 +204,6 @@ pub fn row(surface: &Surface, j: usize) -> Vec<DVec3> {
 /// The number of control points in u and in v.
 pub fn net_size(surface: &Surface) -> [usize; 2] {
     [Direction::U, Direction::V].map(|direction| surface.knots(direction).control_point_count())
-}
-
-/// A figure from a drawing and its words.
-pub fn figure(name: &'static str, caption: &str, alternative: &str, drawing: &Drawing) -> Figure {
-    let (caption, alternative) = (caption.to_owned(), alternative.to_owned());
-    let content = Content::Svg(drawing.to_svg(name, &alternative));
-    Figure {
-        name,
-        caption,
-        alternative,
-        content,
-    }
 }
 
 /// A parameter as text: a quarter or a fifth as a fraction, a whole number as it is.

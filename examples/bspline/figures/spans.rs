@@ -8,7 +8,7 @@ use facette_figure::svg::{Drawing, Panel, Stroke, panels};
 use glam::DVec3;
 
 use super::shapes::{
-    Photo, Surface, at, clamped, column, figure, five_by_five, nine_by_nine, pieces, row, surface,
+    Photo, Surface, at, clamped, column, five_by_five, nine_by_nine, pieces, row, surface,
 };
 
 /// The colour of a span, different from those of its eight neighbours.
@@ -50,7 +50,7 @@ pub fn control_net() -> Figure {
     let photo = Photo::new(&scene, [750, 500])
         .net(&whole, Stroke::new(Colour::Ink, 1.1))
         .discs(&own, 6.5, Colour::Orange);
-    figure(
+    Figure::drawn(
         "control_net",
         "A B-spline surface of degrees 3 and 2 and its net of $9\\cdot9$ control points. The knot lines cut it into $6\\cdot7$ spans, here chequered. \
          The orange one is a polynomial of its own, made by the $4\\cdot3$ orange points alone.",
@@ -77,7 +77,7 @@ pub fn coloured_spans() -> Figure {
             Panel::drawing("9 · 9 control points, 6 · 7 spans", right.drawing),
         ],
     );
-    figure(
+    Figure::drawn(
         "coloured_spans",
         "Each cell is one polynomial; neighbours differ in colour. Left: $U=\\{0,0,0,0,1,2,2,2,2\\}$, $p=3$ and $V=\\{0,0,0,1,2,3,3,3\\}$, $q=2$ with the control net. \
          Right: $U=\\{0,0,0,0,1,\\dots,5,6,6,6,6\\}$ and $V=\\{0,0,0,1,\\dots,6,7,7,7\\}$. The light shows no seam: across a knot line of \
@@ -128,7 +128,7 @@ pub fn local_control() -> Figure {
             Panel::drawing("after: *P*_{43} is lifted", moved_spans(&after, [i, j])),
         ],
     );
-    figure(
+    Figure::drawn(
         "local_control",
         "One control point is lifted, and exactly $4\\cdot3$ of the 42 spans move (orange): those with $u$ in $[u_4,u_8]$ and \
          $v$ in $[v_3,v_6]$. All others keep every bit.",
@@ -169,7 +169,7 @@ pub fn repeated_knots() -> Figure {
             panel("*v* = 3 triple", [simple(), triple()]),
         ],
     );
-    figure(
+    Figure::drawn(
         "repeated_knots",
         "The same $8\\cdot8$ control points, degrees 2 and 2, and only the knots changed: two ridges that cross. A double knot turns a round \
          ridge into a crease along the whole line $u=3$ or $v=3$; a triple one tears the surface there. The other ridge, \

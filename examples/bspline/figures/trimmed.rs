@@ -9,7 +9,7 @@ use facette_figure::render::{Material, Picture, Scene, Triangles, View};
 use facette_figure::svg::{Anchor, Dashes, Drawing, Panel, Stroke, panels};
 use glam::DVec3;
 
-use super::shapes::{Surface, at, clamped, figure, knot_vector, surface};
+use super::shapes::{Surface, at, clamped, knot_vector, surface};
 
 /// How far the polygon may lie from the loop, in the unit of the parameters.
 const TOLERANCE: f64 = 1e-3;
@@ -118,7 +118,7 @@ pub fn trimmed_corner() -> Figure {
             Panel::picture("what it leaves of the surface", picture(&trimmed)),
         ],
     );
-    figure(
+    Figure::drawn(
         "trimmed_corner",
         "A loop (orange) limits a surface. Left: the loop in the domain of the surface, with its control points: four straight pieces and a quarter of an \
          ellipse. Right: the part of the surface inside it; the grey wires are the corner that is cut away.",

@@ -7,7 +7,7 @@ use facette_figure::render::{Material, Scene, Triangles, View};
 use facette_figure::svg::{Panel, panels};
 use glam::DVec3;
 
-use super::shapes::{Surface, at, clamped, figure, pieces, surface};
+use super::shapes::{Surface, at, clamped, pieces, surface};
 
 /// Heights are drawn at this part of their size: affine maps move a surface as they move its net.
 const SCALE: f64 = 0.3;
@@ -50,7 +50,7 @@ pub fn two_islands() -> Figure {
             ),
         ],
     );
-    figure(
+    Figure::drawn(
         "two_islands",
         "A plane (blue, as water) cuts a net of $3\\cdot3$ control points, filled by bilinear pieces, and the biquadratic patch that it \
          controls. The net has one piece above the water, with an isthmus; the patch has two. A plane meets a curve \

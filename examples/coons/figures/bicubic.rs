@@ -10,7 +10,6 @@ use facette_figure::render::{Material, Picture, Scene, View};
 use facette_figure::svg::{Panel, panels};
 use glam::DVec3;
 
-use super::bilinear::figure;
 use super::shapes::{
     Net, at, bilinear_patch_of, edges_of, mesh, samples, slopes_of, smooth_neighbours,
 };
@@ -45,7 +44,7 @@ pub fn crease_and_cure() -> Figure {
             ),
         ],
     );
-    figure(
+    Figure::drawn(
         "crease_and_cure",
         "Isophotes, the lines of equal light, on two patches that share the orange curve; all other curves pass smoothly from one \
          patch to the other. On bilinear patches (left) the isophotes break at the orange curve: the normal jumps. On bicubically \
@@ -69,7 +68,7 @@ pub fn hermite_basis() -> Figure {
         .line("value at 1", &curve(3))
         .to_drawing()
         .expect("finite weights make a plot");
-    figure(
+    Figure::drawn(
         "hermite_basis",
         "Hermite's cubics. Each carries one datum: it has that value or slope at that end, and none of the other three.",
         "Four curves over t from 0 to 1. One falls from 1 to 0 and one rises from 0 to 1, both flat at the ends; one starts at 0 \
@@ -102,7 +101,7 @@ pub fn twists() -> Figure {
                 .render(750, 620),
         )
     };
-    figure(
+    Figure::drawn(
         "twists",
         "A bicubic surface (left), and what becomes of it when its four twists are set to zero (right). Positions and slopes at the \
          corners are the same. Compare the far corner on the right: without its twist the tangent plane hardly turns there, and one broad \

@@ -8,7 +8,7 @@ use facette_figure::palette::Colour;
 use facette_figure::plot::Plot;
 use facette_figure::render::{Scene, View};
 use facette_figure::svg::{Anchor, Drawing, Panel, panels};
-use facette_figure::{Content, Figure, speed};
+use facette_figure::{Figure, speed};
 use glam::DVec3;
 
 use super::shapes::{at, bezier, boundary, gallery as shapes, mesh, sail, samples, scene};
@@ -55,7 +55,7 @@ pub fn four_curves() -> Figure {
     }
     let alternative = "Four curves in space that meet in four marked corners. P1 leads from A to B in front, P2 from D to \
                        C behind, Q1 from A to D on the left, Q2 from B to C on the right.";
-    figure(
+    Figure::drawn(
         "four_curves",
         "What is given: the curves $P_1$ and $P_2$ in $u$ (blue), $Q_1$ and $Q_2$ in $v$ (orange), and the corners \
          $A=S(0,0)$, $B=S(1,0)$, $C=S(1,1)$, $D=S(0,1)$ in which they meet.",
@@ -104,7 +104,7 @@ pub fn ruled_surfaces() -> Figure {
             panel("makes *S*, which carries all four curves", patch),
         ],
     );
-    figure(
+    Figure::drawn(
         "ruled_surfaces",
         "$S_1$ follows the blue curves and joins their ends by straight lines instead of the orange ones, $S_2$ the other way round; \
          the bilinear surface $S_3$ meets the corners alone. $S=S_1+S_2-S_3$ meets all four.",
@@ -124,7 +124,7 @@ pub fn gallery() -> Figure {
             scene(&mesh(&patch), patch.boundary(), view, 0.025).render(500, 400),
         )
     };
-    figure(
+    Figure::drawn(
         "gallery",
         "Six bilinear patches. The boundary may be straight, smooth or broken, and a side may shrink to a point; the folds \
          of the roof run on into its interior.",
@@ -155,7 +155,7 @@ pub fn outside_the_hull() -> Figure {
         .line("boundary, v = 0", &section(0.0))
         .to_drawing()
         .expect("finite heights make a plot");
-    figure(
+    Figure::drawn(
         "outside_the_hull",
         "Four arches of height 1 over a square: their patch is 2 high in the middle, far outside the convex hull of its \
          boundary.",
@@ -198,7 +198,7 @@ pub fn missed_edges() -> Figure {
     .points("rounding errors carried along", &library)
     .to_drawing()
     .expect("finite distances make a plot");
-    figure(
+    Figure::drawn(
         "missed_edges",
         "How far a patch of `f32` points, about four units wide, misses its own edge $Q_2$. Added from the left, $S_1+S_2-S_3$ \
          misses it at almost all parameters, by up to $4.8\\cdot10^{-7}$, two ulps of a coordinate near 4; with the rounding errors \
@@ -211,31 +211,6 @@ pub fn missed_edges() -> Figure {
 
 /// The chapter's measurements.
 pub fn speed_against_error() -> Figure {
-    speed::scatter(
-        &measurements(),
-        "speed_against_error",
-        "Speed against error for each quantity of the chapter: the lower left corner wins. The reading is below.".to_owned(),
-        "Scatter plots with the error across and the time up, one for each quantity; the same numbers stand in the table below."
-            .to_owned(),
-    )
-    .expect("the committed measurements can be read")
-}
-
-/// The measurements made here, if any (below the current folder, the repository's root), otherwise the committed ones.
-fn measurements() -> String {
     let committed = include_str!("../../../book/measurements/coons.csv");
-    std::fs::read_to_string("target/speed_against_error/coons.csv")
-        .unwrap_or_else(|_| committed.to_owned())
-}
-
-/// A figure from a drawing and its words.
-pub fn figure(name: &'static str, caption: &str, alternative: &str, drawing: &Drawing) -> Figure {
-    let (caption, alternative) = (caption.to_owned(), alternative.to_owned());
-    let content = Content::Svg(drawing.to_svg(name, &alternative));
-    Figure {
-        name,
-        caption,
-        alternative,
-        content,
-    }
+    speed::of_chapter("coons", committed).expect("the committed measurements can be read")
 }

@@ -7,7 +7,6 @@ use facette_figure::palette::Colour;
 use facette_figure::plot::Plot;
 use facette_figure::svg::{Anchor, Dashes, Drawing, Stroke};
 
-use super::figure;
 use super::meshes::{bump, measured_error};
 
 /// A curve, its chord, and the largest distance between them.
@@ -54,7 +53,7 @@ pub fn chord_error() -> Figure {
         )
         .text([150.0, 100.0], "curve", 19.0, Anchor::Middle)
         .text([480.0, 308.0], "chord", 19.0, Anchor::Middle);
-    figure(
+    Figure::drawn(
         "chord_error",
         "A piece of a curve over an interval of length $\\ell$ and its chord, points at the same parameter joined. When $|C''|\\le M$, none of these distances exceeds $\\ell^2M/8$; a parabola, as here, \
          attains it in the middle. Half the interval leaves a quarter of the distance.",
@@ -92,7 +91,7 @@ pub fn error_against_triangles() -> Figure {
         .line("adaptive, promised", &promised)
         .to_drawing()
         .expect("positive distances make a plot");
-    figure(
+    Figure::drawn(
         "error_against_triangles",
         "The largest distance between the bump and its triangles, measured at fifteen points of each. All lines fall by a decade when the triangles grow tenfold. For the same measured distance adaptive triangles are about four times fewer; for a tolerance kept by promise, about two and a half; \
          what was promised, the tolerance, lies above what is measured, since the bound takes the worst of each piece.",

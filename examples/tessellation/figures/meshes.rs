@@ -10,7 +10,7 @@ use facette_figure::render::{Scene, View};
 use facette_figure::svg::{Drawing, Panel, Stroke, panels};
 use glam::DVec3;
 
-use super::{figure, wires};
+use super::wires;
 
 /// The tolerance of the pictures: a fiftieth of a unit.
 const TOLERANCE: f64 = 0.02;
@@ -95,7 +95,7 @@ pub fn adaptive_and_uniform() -> Figure {
             panel("adaptive", &adaptive_within(&surface, TOLERANCE)),
         ],
     );
-    figure(
+    Figure::drawn(
         "adaptive_and_uniform",
         "A bump in a plane, cut into triangles that stay within $\\tau=0.02$ of it. The uniform grid (left) is as fine everywhere as the bump needs it; it is the coarsest one that was found to keep $\\tau$ by trying. \
          The adaptive triangles (right) follow the bending, and keep $\\tau$ by a bound, without trying.",
@@ -133,7 +133,7 @@ pub fn crack() -> Figure {
         let scene = wires(scene, &far, Colour::Sky, 0.006);
         wires(scene, &near, Colour::Orange, 0.006).render(900, 640)
     };
-    figure(
+    Figure::drawn(
         "crack",
         "A finely cut piece (orange) beside a coarse one (blue). Left: the coarse piece has three segments on the common side, the fine one twelve. The fine one's vertices there stand in the middle of the coarse \
          one's edges (T-junctions), and the background shows between. Right: both have the twelve that the side asks for, and the coarse piece is stitched to them.",
@@ -188,7 +188,7 @@ pub fn triangles_in_the_parameter_plane() -> Figure {
                 drawing.outline(&corners.map(at), Stroke::new(Colour::Ink, 0.8))
             })
     };
-    figure(
+    Figure::drawn(
         "triangles_in_the_parameter_plane",
         "Triangles in the parameter plane. Left, the bump of the first figure: each piece has a grid of its own, stitched to what stands on its sides; flat pieces have two triangles. Right, the twisted square $(u,v,uv)$ with $\\tau=0.002$: its sides are straight lines and stay whole, \
          and the triangles beside them are cut until they are thin enough.",

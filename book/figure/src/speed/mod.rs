@@ -57,6 +57,23 @@ impl fmt::Display for SpeedError {
 
 impl std::error::Error for SpeedError {}
 
+/// The figure `speed_against_error` of a chapter: from the measurements made here, if there are any (below the current folder, the
+/// repository's root), otherwise from the committed ones.
+///
+/// # Errors
+/// As [`scatter`].
+pub fn of_chapter(chapter: &str, committed: &str) -> Result<Figure, SpeedError> {
+    let path = format!("target/speed_against_error/{chapter}.csv");
+    let measured = std::fs::read_to_string(path);
+    scatter(
+        measured.as_deref().unwrap_or(committed),
+        "speed_against_error",
+        "Speed against error for each quantity of the chapter: the lower left corner wins. The reading is below.".to_owned(),
+        "Scatter plots with the error across and the time up, one for each quantity; the same numbers stand in the table below."
+            .to_owned(),
+    )
+}
+
 const PANEL_HEIGHT: f64 = 360.0;
 const HEADING: f64 = 32.0;
 const LINE: f64 = 20.0;
