@@ -7,6 +7,7 @@
 //! | --- | --- |
 //! | ground | [`algebra`], [`curve`], [`surface`], [`mesh`] |
 //! | surfaces | [`coons`], [`bspline`], [`tessellation`] |
+//! | rays | [`ray`], [`intersection`] |
 //!
 //! *In the book*: [the front page](../../index.html).
 
@@ -14,6 +15,8 @@ pub mod algebra;
 pub mod bspline;
 pub mod coons;
 pub mod curve;
+pub mod intersection;
 pub mod mesh;
+pub mod ray;
 pub mod surface;
 pub mod tessellation;

@@ -1,0 +1,39 @@
+//! Intersection: where a ray meets a surface, and which of many surfaces it meets first.
+//!
+//! Most of a ray tracer's time goes into one question: what is the first thing along this half-line? A surface answers for itself by
+//! solving an equation in t; a group asks all of its members; a hierarchy of boxes asks few of them.
+//!
+//! ```text
+//! f(o + t d) = 0,   start < t <= end,   t least
+//! ```
+//!
+//! # Conventions
+//!
+//! As [`Ray`](crate::ray::Ray) has them: the start of the interval does not belong to it, its end does. A hit is on the *front* where the ray arrives against the normal,
+//! from outside. Facets run anticlockwise as seen from their front. Where two members of a group are hit at the same t, the one with the
+//! smaller number is the answer.
+//!
+//! *In the course*: slides 84 to 105 (*lancer de rayon*, *intersection*).
+//!
+//! *In the book*: [Intersection](../../../intersection.html).
+
+mod hit;
+
+pub use hit::{FacetHit, Hit, Side};
+
+use crate::algebra::{Real, Vector3};
+use crate::ray::Ray;
+
+/// What a ray can meet.
+pub trait Intersect {
+    /// The points of space.
+    type Point: Vector3<Scalar: Real>;
+
+    /// The nearest hit in the ray's interval of t; `None` where there is none, or the ray has NaN, an infinite coordinate or no direction.
+    fn intersect(&self, ray: &Ray<Self::Point>) -> Option<Hit<Self::Point>>;
+
+    /// Whether anything is met in the ray's interval: the question of a shadow ray, which need not know what and where.
+    fn is_hit_by(&self, ray: &Ray<Self::Point>) -> bool {
+        self.intersect(ray).is_some()
+    }
+}
