@@ -84,6 +84,9 @@ pub trait Real: Scalar {
     /// The cosine of an angle in radians.
     #[must_use]
     fn cos(self) -> Self;
+
+    /// The number nearest to π: below it in `f64`, above it in `f32`.
+    fn pi() -> Self;
 }
 
 macro_rules! real_number {
@@ -118,6 +121,10 @@ macro_rules! real_number {
 
             fn cos(self) -> Self {
                 self.cos()
+            }
+
+            fn pi() -> Self {
+                std::$float::consts::PI
             }
         }
     };

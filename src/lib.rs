@@ -7,12 +7,13 @@
 //! | --- | --- |
 //! | ground | [`algebra`], [`curve`], [`surface`], [`mesh`] |
 //! | surfaces | [`coons`], [`bspline`], [`tessellation`] |
-//! | rays | [`ray`], [`intersection`] |
+//! | rays | [`ray`], [`camera`], [`intersection`] |
 //!
 //! *In the book*: [the front page](../../index.html).
 
 pub mod algebra;
 pub mod bspline;
+pub mod camera;
 pub mod coons;
 pub mod curve;
 pub mod intersection;
