@@ -17,6 +17,7 @@
 //!
 //! *In the book*: [Intersection](../../../intersection.html).
 
+pub mod hierarchy;
 mod hit;
 
 pub use hit::{FacetHit, Hit, Side};

@@ -6,3 +6,5 @@
 
 #[path = "../common/mod.rs"]
 mod common;
+mod hierarchy_oracle;
+mod hierarchy_theorems;

@@ -1,0 +1,223 @@
+//! Whether, and where, a ray of `f32` meets a triangle of `f32`: decided without any error.
+//!
+//! The filter computes in `f64` with a bound on its error, which decides nearly always; what it cannot decide, [`exact`](super::exact) does.
+//!
+//! # Numerics
+//!
+//! Let u = 2⁻⁵³. Differences, products and sums of `f32` numbers neither overflow nor underflow in `f64`, so every operation has a relative error
+//! of at most u. With |d| the largest coordinate of d and m the largest of all corners as seen from o, an edge's volume is a sum of six
+//! products of at most |d| m². Each term passes two differences, two products, and at most a subtraction and two additions:
+//! seven roundings. So the error is at most 6 · 7u |d| m² to first order, and [`EDGE_ERROR`] = 43u covers the rest.
+//!
+//! The determinant d · n and the distance (a − o) · n have six products each of two edges and of |d| or m; again two differences, two
+//! products, a subtraction and two additions, and one more difference for a − o: 8 roundings, 6 · 8u, and [`PLANE_ERROR`] = 49u.
+
+use std::cmp::Ordering;
+
+use glam::{DVec3, Vec3};
+
+use super::exact::{Ratio, Volumes};
+use crate::intersection::{FacetHit, Side};
+use crate::ray::Ray;
+
+/// The unit roundoff of `f64`.
+const U: f64 = f64::EPSILON / 2.0;
+
+/// The error of an edge's volume over `|d| m²`.
+const EDGE_ERROR: f64 = 43.0 * U;
+
+/// The error of the determinant over `|d| |b − a| |c − a|`, and of the distance over `|a − o| |b − a| |c − a|`.
+const PLANE_ERROR: f64 = 49.0 * U;
+
+/// The largest relative error of t, and the largest absolute error of a weight, that the filter lets pass: a quarter of the bits of `f32` below
+/// its last place.
+const LARGEST_ERROR: f64 = 1.0 / (1_u64 << 36) as f64;
+
+/// A ray ready for the filter: finite, with a direction, and an interval of finite ends.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Line {
+    pub(super) origin: Vec3,
+    pub(super) direction: Vec3,
+    pub(super) start: f32,
+    pub(super) end: f32,
+}
+
+impl Line {
+    /// The ray's line; `None` for a ray that meets nothing whatever there is. A ray without an end ends at `f32::MAX`.
+    #[inline]
+    pub(super) fn new(ray: &Ray<Vec3>) -> Option<Self> {
+        let end = ray.end.unwrap_or(f32::MAX).min(f32::MAX);
+        let start = ray.start.max(-f32::MAX);
+        let is_sound = ray.origin.is_finite()
+            && ray.direction.is_finite()
+            && ray.direction != Vec3::ZERO
+            && start < end
+            && !ray.start.is_nan()
+            && !ray.end.is_some_and(f32::is_nan);
+        is_sound.then_some(Self {
+            origin: ray.origin,
+            direction: ray.direction,
+            start,
+            end,
+        })
+    }
+}
+
+/// A hit that is certain, in the interval of its ray.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Confirmed {
+    pub(super) triangle: u32,
+    pub(super) t: f64,
+    /// A bound on the error of t.
+    t_error: f64,
+    pub(super) weights: [f64; 2],
+    pub(super) side: Side,
+}
+
+impl Confirmed {
+    pub(super) fn facet_hit(&self) -> FacetHit<f32> {
+        #[allow(
+            clippy::cast_possible_truncation,
+            reason = "rounded once, to the nearest f32"
+        )]
+        let rounded = |value: f64| value as f32;
+        FacetHit {
+            t: rounded(self.t),
+            parameters: self.weights.map(rounded),
+            side: self.side,
+        }
+    }
+
+    /// Not before the exact t.
+    pub(super) fn latest(&self) -> f64 {
+        self.t + self.t_error
+    }
+
+    /// Whether this hit comes before another one of the same line: by t, exactly, and then by the triangles' numbers.
+    pub(super) fn is_before(&self, other: &Self, line: &Line, triangles: &[[Vec3; 3]]) -> bool {
+        let gap = self.t - other.t;
+        let order = if gap.abs() > self.t_error + other.t_error {
+            self.t.total_cmp(&other.t)
+        } else {
+            let exact = |hit: &Self| {
+                let corners = triangles[hit.triangle as usize];
+                Volumes::new(line.origin, line.direction, corners).t()
+            };
+            exact(self).compare(&exact(other))
+        };
+        order.then(self.triangle.cmp(&other.triangle)) == Ordering::Less
+    }
+}
+
+/// The hit of a line in its interval with a triangle, edges and corners included; `None` for a miss, or where the line lies in the triangle's plane, or
+/// the triangle has no area.
+#[inline]
+pub(super) fn confirm(line: &Line, triangle: u32, corners: [Vec3; 3]) -> Option<Confirmed> {
+    match filter(line, corners) {
+        Filtered::Miss => None,
+        Filtered::Hit {
+            t,
+            t_error,
+            weights,
+            side,
+        } => Some(Confirmed {
+            triangle,
+            t,
+            t_error,
+            weights,
+            side,
+        }),
+        Filtered::Undecided => confirm_exactly(line, triangle, corners),
+    }
+}
+
+/// What the filter finds.
+enum Filtered {
+    Miss,
+    Hit {
+        t: f64,
+        t_error: f64,
+        weights: [f64; 2],
+        side: Side,
+    },
+    Undecided,
+}
+
+#[inline]
+fn filter(line: &Line, corners: [Vec3; 3]) -> Filtered {
+    let (o, d) = (line.origin.as_dvec3(), line.direction.as_dvec3());
+    let [a, b, c] = corners.map(|corner| corner.as_dvec3() - o);
+    let largest = |p: DVec3| p.abs().max_element();
+    let (speed, reach) = (largest(d), largest(a).max(largest(b)).max(largest(c)));
+    let edge_error = EDGE_ERROR * speed * reach * reach;
+    let edges = [d.dot(b.cross(c)), d.dot(c.cross(a)), d.dot(a.cross(b))];
+    if edges.iter().any(|&e| e > edge_error) && edges.iter().any(|&e| e < -edge_error) {
+        return Filtered::Miss;
+    }
+    let [first, second, third] = corners.map(|corner| corner.as_dvec3());
+    let (ab, ac) = (second - first, third - first);
+    let normal = ab.cross(ac);
+    let (determinant, distance) = (d.dot(normal), a.dot(normal));
+    let size = largest(ab) * largest(ac);
+    let determinant_error = PLANE_ERROR * speed * size;
+    let distance_error = PLANE_ERROR * largest(a) * size;
+    let t = distance / determinant;
+    // Of first order, and twice that for what is left out: both errors are far below 1 where the bound passes.
+    let relative =
+        2.0 * (determinant_error / determinant.abs() + distance_error / distance.abs() + U);
+    let t_error = relative * t.abs();
+    let weight_error = 2.0 * (edge_error + determinant_error) / determinant.abs();
+    let is_inside = edges.iter().all(|&e| e > edge_error) || edges.iter().all(|&e| e < -edge_error);
+    let (start, end) = (f64::from(line.start), f64::from(line.end));
+    if relative < LARGEST_ERROR && (t + t_error <= start || t - t_error > end) {
+        return Filtered::Miss;
+    }
+    let is_sure = is_inside
+        && relative < LARGEST_ERROR
+        && weight_error < LARGEST_ERROR
+        && t - t_error > start
+        && t + t_error <= end;
+    if !is_sure {
+        return Filtered::Undecided;
+    }
+    let side = if determinant < 0.0 {
+        Side::Front
+    } else {
+        Side::Back
+    };
+    Filtered::Hit {
+        t,
+        t_error,
+        weights: [edges[1] / determinant, edges[2] / determinant],
+        side,
+    }
+}
+
+#[cold]
+fn confirm_exactly(line: &Line, triangle: u32, corners: [Vec3; 3]) -> Option<Confirmed> {
+    let volumes = Volumes::new(line.origin, line.direction, corners);
+    let sign = volumes.determinant.sign();
+    let is_outside = |e: Ordering| e == sign.reverse();
+    if sign == Ordering::Equal || volumes.edges.iter().any(|edge| is_outside(edge.sign())) {
+        return None;
+    }
+    let exact_t = volumes.t();
+    let is_after = exact_t.compare(&Ratio::from_f32(line.start)) == Ordering::Greater;
+    let is_too_far = exact_t.compare(&Ratio::from_f32(line.end)) == Ordering::Greater;
+    if !is_after || is_too_far {
+        return None;
+    }
+    let determinant = volumes.determinant.to_f64();
+    let t = exact_t.to_f64();
+    Some(Confirmed {
+        triangle,
+        t,
+        t_error: 16.0 * U * t.abs(),
+        weights: [1, 2].map(|corner| volumes.edges[corner].to_f64() / determinant),
+        side: if sign == Ordering::Less {
+            Side::Front
+        } else {
+            Side::Back
+        },
+    })
+}

@@ -1,0 +1,293 @@
+//! Exact arithmetic for rays and triangles of `f32`: integers wide enough that nothing is ever rounded.
+//!
+//! Every finite `f32` is a whole multiple of 2⁻¹⁴⁹. So every product of three of them is a whole multiple of 2⁻⁴⁴⁷, below 2³⁸⁴, and a sum
+//! of a few such products fits into 896 bits with its sign. The volumes that decide where a ray passes a triangle are such sums.
+//!
+//! ```text
+//! d · (b − o) × (c − o)  = |d b c| − |d o c| − |d b o|                          18 products
+//! (a − o) · (b − o) × (c − o) = |a b c| − |o b c| − |a o c| − |a b o|           24 products
+//! ```
+//!
+//! # Numerics
+//!
+//! The answer is exact for every finite input, denormal numbers included: there is no overflow, no underflow, and no tolerance. It costs
+//! about a microsecond, and is asked for only where arithmetic of `f64` cannot decide.
+//!
+//! # Sources
+//!
+//! J. R. Shewchuk, *Adaptive precision floating-point arithmetic and fast robust geometric predicates*, 1997 (the idea of an exact stage
+//! behind a filter).
+
+use std::cmp::Ordering;
+
+use glam::Vec3;
+
+/// How many 64-bit digits an [`Integer`] has: 831 bits for a product, 5 for the count of products, 1 for the sign.
+const DIGITS: usize = 14;
+
+/// The exponent of the least bit of an `f32`.
+const LEAST_EXPONENT: u64 = 149;
+
+/// A whole number of 896 bits, as sign and magnitude, least digit first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Integer {
+    sign: Ordering,
+    digits: [u64; DIGITS],
+}
+
+/// A number as `mantissa · 2^exponent` in units of 2⁻¹⁴⁹.
+fn decomposed(value: f32) -> (i64, u32) {
+    let bits = value.to_bits();
+    let (exponent, fraction) = ((bits >> 23) & 0xff, i64::from(bits & 0x7f_ffff));
+    let (magnitude, shift) = if exponent == 0 {
+        (fraction, 0)
+    } else {
+        (fraction | 0x80_0000, exponent - 1)
+    };
+    (
+        if value.is_sign_negative() {
+            -magnitude
+        } else {
+            magnitude
+        },
+        shift,
+    )
+}
+
+/// A sum of products in two's complement, on its way to an [`Integer`].
+struct Sum([u64; DIGITS]);
+
+impl Sum {
+    fn zero() -> Self {
+        Self([0; DIGITS])
+    }
+
+    /// Adds `±x y z`, in units of 2⁻⁴⁴⁷.
+    fn add_product(&mut self, factors: [f32; 3], negated: bool) {
+        let (mut product, mut shift) = (1_i128, 0);
+        for factor in factors {
+            let (mantissa, exponent) = decomposed(factor);
+            product *= i128::from(mantissa);
+            shift += exponent;
+        }
+        if product == 0 {
+            return;
+        }
+        self.add_shifted(product.unsigned_abs(), shift, negated != (product < 0));
+    }
+
+    /// Adds `± magnitude · 2^shift`, where the magnitude has at most 72 bits.
+    #[allow(
+        clippy::cast_possible_truncation,
+        reason = "the digits are cut out of the wide product"
+    )]
+    fn add_shifted(&mut self, magnitude: u128, shift: u32, negated: bool) {
+        let (first, within) = ((shift / 64) as usize, shift % 64);
+        let low = magnitude << within;
+        let high = if within == 0 {
+            0
+        } else {
+            magnitude >> (128 - within)
+        };
+        let pieces = [low as u64, (low >> 64) as u64, high as u64];
+        let mut carry = false;
+        for (place, digit) in self.0.iter_mut().skip(first).enumerate() {
+            let piece = pieces.get(place).copied().unwrap_or(0);
+            if place >= pieces.len() && !carry {
+                break;
+            }
+            (*digit, carry) = if negated {
+                digit.borrowing_sub(piece, carry)
+            } else {
+                digit.carrying_add(piece, carry)
+            };
+        }
+    }
+
+    fn finish(self) -> Integer {
+        Integer::from_twos_complement(self.0)
+    }
+}
+
+impl Integer {
+    fn from_twos_complement(mut digits: [u64; DIGITS]) -> Self {
+        let negative = digits[DIGITS - 1] >> 63 == 1;
+        if negative {
+            let mut carry = true;
+            for digit in &mut digits {
+                (*digit, carry) = (!*digit).carrying_add(0, carry);
+            }
+        }
+        let sign = if digits == [0; DIGITS] {
+            Ordering::Equal
+        } else if negative {
+            Ordering::Less
+        } else {
+            Ordering::Greater
+        };
+        Self { sign, digits }
+    }
+
+    /// Less, equal or greater than 0.
+    pub(super) fn sign(&self) -> Ordering {
+        self.sign
+    }
+
+    /// The sum of three numbers below 2⁸⁹².
+    pub(super) fn sum(terms: [&Self; 3]) -> Self {
+        let mut sum = [0_u64; DIGITS];
+        for term in terms {
+            let negated = term.sign == Ordering::Less;
+            let mut carry = false;
+            for (digit, &other) in sum.iter_mut().zip(&term.digits) {
+                (*digit, carry) = if negated {
+                    digit.borrowing_sub(other, carry)
+                } else {
+                    digit.carrying_add(other, carry)
+                };
+            }
+        }
+        Self::from_twos_complement(sum)
+    }
+
+    /// The number times 2⁻⁴⁴⁷, within a relative error of 2⁻⁵².
+    pub(super) fn to_f64(self) -> f64 {
+        let Some(top) = self.digits.iter().rposition(|&digit| digit != 0) else {
+            return 0.0;
+        };
+        let below = if top == 0 { 0 } else { self.digits[top - 1] };
+        let head = (u128::from(self.digits[top]) << 64) | u128::from(below);
+        // The power of two 2^(64 (top − 1) − 447), put together from its biased exponent.
+        let exponent = 64 * top as u64 + 1023 - 64 - 3 * LEAST_EXPONENT;
+        let magnitude = head as f64 * f64::from_bits(exponent << 52);
+        if self.sign == Ordering::Less {
+            -magnitude
+        } else {
+            magnitude
+        }
+    }
+
+    /// The magnitude of a product of two numbers.
+    fn product(&self, other: &Self) -> [u64; 2 * DIGITS] {
+        let mut product = [0_u64; 2 * DIGITS];
+        for (i, &x) in self.digits.iter().enumerate().filter(|(_, x)| **x != 0) {
+            let mut carry = 0_u64;
+            for (j, &y) in other.digits.iter().enumerate() {
+                (product[i + j], carry) = x.carrying_mul_add(y, carry, product[i + j]);
+            }
+            product[i + DIGITS] = carry;
+        }
+        product
+    }
+}
+
+/// A rational number, `numerator / denominator`; the denominator is not 0.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Ratio {
+    numerator: Integer,
+    denominator: Integer,
+}
+
+impl Ratio {
+    /// The finite number `value`.
+    pub(super) fn from_f32(value: f32) -> Self {
+        let whole = |value: f32| {
+            let (mantissa, shift) = decomposed(value);
+            let mut sum = Sum::zero();
+            sum.add_shifted(mantissa.unsigned_abs().into(), shift, mantissa < 0);
+            sum.finish()
+        };
+        Self {
+            numerator: whole(value),
+            denominator: whole(1.0),
+        }
+    }
+
+    fn sign(&self) -> Ordering {
+        if self.denominator.sign == Ordering::Less {
+            self.numerator.sign.reverse()
+        } else {
+            self.numerator.sign
+        }
+    }
+
+    /// The number, within a relative error of 2⁻⁵⁰.
+    pub(super) fn to_f64(self) -> f64 {
+        self.numerator.to_f64() / self.denominator.to_f64()
+    }
+
+    /// The order of two numbers.
+    pub(super) fn compare(&self, other: &Self) -> Ordering {
+        let (sign, other_sign) = (self.sign(), other.sign());
+        if sign != other_sign {
+            return sign.cmp(&other_sign);
+        }
+        let left = self.numerator.product(&other.denominator);
+        let right = other.numerator.product(&self.denominator);
+        let magnitudes = left.iter().rev().cmp(right.iter().rev());
+        if sign == Ordering::Less {
+            magnitudes.reverse()
+        } else {
+            magnitudes
+        }
+    }
+}
+
+/// What decides where a line passes a triangle, exactly, up to the same factor in all of them.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Volumes {
+    /// `d · (b − o) × (c − o)` and the same of the other two edges: the weights of the corners times `determinant`.
+    pub(super) edges: [Integer; 3],
+    /// `d · (b − a) × (c − a)`, the sum of the edges.
+    pub(super) determinant: Integer,
+    /// `(a − o) · (b − o) × (c − o)`: t times `determinant`.
+    pub(super) distance: Integer,
+}
+
+impl Volumes {
+    /// Of the line `o + t d` and the triangle with these corners; all coordinates finite.
+    pub(super) fn new(o: Vec3, d: Vec3, corners: [Vec3; 3]) -> Self {
+        let [a, b, c] = corners;
+        let edge = |p: Vec3, q: Vec3| {
+            let mut sum = Sum::zero();
+            add_determinant(&mut sum, [d, p, q], false);
+            add_determinant(&mut sum, [d, o, q], true);
+            add_determinant(&mut sum, [d, p, o], true);
+            sum.finish()
+        };
+        let edges = [edge(b, c), edge(c, a), edge(a, b)];
+        let [first, second, third] = &edges;
+        let mut distance = Sum::zero();
+        add_determinant(&mut distance, [a, b, c], false);
+        for corners in [[o, b, c], [a, o, c], [a, b, o]] {
+            add_determinant(&mut distance, corners, true);
+        }
+        Self {
+            determinant: Integer::sum([first, second, third]),
+            edges,
+            distance: distance.finish(),
+        }
+    }
+
+    /// The ray's parameter; the determinant is not 0.
+    pub(super) fn t(&self) -> Ratio {
+        Ratio {
+            numerator: self.distance,
+            denominator: self.determinant,
+        }
+    }
+}
+
+/// Adds `± x · y × z`.
+fn add_determinant(sum: &mut Sum, [x, y, z]: [Vec3; 3], negated: bool) {
+    for (i, j, k) in [(0, 1, 2), (1, 2, 0), (2, 0, 1)] {
+        sum.add_product([x[i], y[j], z[k]], negated);
+        sum.add_product([x[i], y[k], z[j]], !negated);
+    }
+}
+
+/// `(b − a) × (c − a)`, each coordinate exact before it is rounded to `f64`.
+pub(super) fn normal(corners: [Vec3; 3]) -> [f64; 3] {
+    // The determinant for a line along an axis is that coordinate of the normal.
+    Vec3::AXES.map(|axis| Volumes::new(Vec3::ZERO, axis, corners).determinant.to_f64())
+}
