@@ -1,4 +1,8 @@
 //! The harness: runs the variants of a quantity in turn, and holds their time against their error.
+//!
+//! A chapter hands over one [`Comparison`] after the other. A variant of points ([`Comparison::variant`]) fills a list of points, whose
+//! exact values are known. A variant of answers ([`Comparison::answers`]) says for each question, such as a ray, what is met and where; its
+//! error is that of t where both it and the truth meet something, and the share of its answers that are wrong has a column of its own.
 
 use std::cell::LazyCell;
 use std::hint::black_box;
@@ -8,17 +12,21 @@ use std::time::Instant;
 use facette::algebra::Scalar;
 use num_traits::ToPrimitive;
 
+use crate::answers::{Answer, AnswerBatch, Truths};
 use crate::common::oracle::{Big, big, ulp};
 use crate::float_inputs::{FloatPoint, coordinates};
 
 /// A point without rounding.
 pub type ExactPoint = [Big; 3];
 
-/// Exact values that variants share, computed when first asked for.
-pub type Exact<'a> = Rc<LazyCell<Vec<ExactPoint>, Box<dyn FnOnce() -> Vec<ExactPoint> + 'a>>>;
+/// Values that variants share, computed when first asked for.
+pub type Shared<'a, T> = Rc<LazyCell<Vec<T>, Box<dyn FnOnce() -> Vec<T> + 'a>>>;
 
-/// The exact values that `compute` gives.
-pub fn lazily<'a>(compute: impl FnOnce() -> Vec<ExactPoint> + 'a) -> Exact<'a> {
+/// The exact points that variants share.
+pub type Exact<'a> = Shared<'a, ExactPoint>;
+
+/// The values that `compute` gives.
+pub fn lazily<'a, T>(compute: impl FnOnce() -> Vec<T> + 'a) -> Shared<'a, T> {
     Rc::new(LazyCell::new(Box::new(compute)))
 }
 
@@ -31,33 +39,50 @@ pub struct Effort {
     pub turn: f64,
     /// How many points of a patch are evaluated, the square of an even number.
     pub points: usize,
+    /// How long all turns of a comparison may last, in nanoseconds: where single runs take long, there are fewer rounds.
+    pub budget: f64,
+}
+
+/// How far a variant is from the exact values.
+#[derive(Clone, Copy)]
+pub struct Errors {
+    /// The largest error in ulps.
+    pub ulps: f64,
+    /// The largest absolute error.
+    pub largest: f64,
+    /// The root mean square of the absolute error.
+    pub rms: f64,
+    /// The share of wrong answers, where there are answers.
+    pub wrong: Option<f64>,
 }
 
 /// What a variant computes, and how far it is from the exact values.
-trait Batch {
-    /// Evaluates all points once.
+pub trait Batch {
+    /// Evaluates everything once.
     fn run(&mut self);
-    /// The largest error in ulps, the largest absolute error and the root mean square of the absolute error.
-    fn errors(&self, exact: &[ExactPoint]) -> [f64; 3];
+    /// The errors; `None` for a yardstick, which has no exact values.
+    fn errors(&self) -> Option<Errors>;
 }
 
-struct PointBatch<P, F> {
+struct PointBatch<'a, P, F> {
     points: Vec<P>,
     fill: F,
+    exact: Option<Exact<'a>>,
 }
 
-impl<P: FloatPoint, F: FnMut(&mut [P])> Batch for PointBatch<P, F> {
+impl<P: FloatPoint, F: FnMut(&mut [P])> Batch for PointBatch<'_, P, F> {
     fn run(&mut self) {
         (self.fill)(&mut self.points);
         black_box(&mut self.points);
     }
 
-    fn errors(&self, exact: &[ExactPoint]) -> [f64; 3] {
+    fn errors(&self) -> Option<Errors> {
+        let exact = self.exact.as_ref()?;
         assert_eq!(self.points.len(), exact.len(), "one exact value a point");
         let roundoff = P::Scalar::unit_roundoff().into();
         let mut worst = [0.0_f64; 2];
         let mut squares = 0.0;
-        for (&point, exact) in self.points.iter().zip(exact) {
+        for (&point, exact) in self.points.iter().zip(exact.iter()) {
             let errors = differences(coordinates(point), exact);
             let largest = errors.into_iter().fold(0.0, f64::max);
             let size = exact.iter().map(|value| nearest(value).abs());
@@ -66,7 +91,12 @@ impl<P: FloatPoint, F: FnMut(&mut [P])> Batch for PointBatch<P, F> {
             squares += errors.into_iter().map(|error| error * error).sum::<f64>();
         }
         let count = 3.0 * self.points.len() as f64;
-        [worst[0], worst[1], (squares / count).sqrt()]
+        Some(Errors {
+            ulps: worst[0],
+            largest: worst[1],
+            rms: (squares / count).sqrt(),
+            wrong: None,
+        })
     }
 }
 
@@ -81,7 +111,8 @@ fn differences(computed: [f64; 3], exact: &ExactPoint) -> [f64; 3] {
     })
 }
 
-fn nearest(value: &Big) -> f64 {
+/// The floating-point number nearest to a value.
+pub fn nearest(value: &Big) -> f64 {
     value.to_f64().unwrap_or(f64::INFINITY)
 }
 
@@ -89,7 +120,6 @@ fn nearest(value: &Big) -> f64 {
 pub struct Variant<'a> {
     algorithm: &'static str,
     scalar: &'static str,
-    exact: Option<Exact<'a>>,
     batch: Box<dyn Batch + 'a>,
 }
 
@@ -98,6 +128,7 @@ pub struct Comparison<'a> {
     quantity: &'static str,
     inputs: &'static str,
     evaluations: usize,
+    size: usize,
     points_each: usize,
     variants: Vec<Variant<'a>>,
 }
@@ -109,6 +140,7 @@ impl<'a> Comparison<'a> {
             quantity,
             inputs,
             evaluations,
+            size: evaluations,
             points_each: 1,
             variants: Vec::new(),
         }
@@ -122,37 +154,66 @@ impl<'a> Comparison<'a> {
         }
     }
 
+    /// The same comparison on a problem of this size, for the column `n`, where that is not the number of evaluations.
+    pub fn of_size(self, size: usize) -> Self {
+        Self { size, ..self }
+    }
+
     /// Adds a variant that fills a list of points, one for each of the `exact` values.
     pub fn variant<P: FloatPoint>(
-        mut self,
+        self,
         [algorithm, scalar]: [&'static str; 2],
         exact: &Exact<'a>,
         fill: impl FnMut(&mut [P]) + 'a,
     ) -> Self {
         let points = vec![P::origin(); self.evaluations * self.points_each];
+        let exact = Some(Rc::clone(exact));
+        self.push(
+            [algorithm, scalar],
+            PointBatch {
+                points,
+                fill,
+                exact,
+            },
+        )
+    }
+
+    /// Adds a variant that answers as many questions as there are evaluations, with a truth for each. `scalar` is `f32` or `f64`.
+    pub fn answers(
+        self,
+        names: [&'static str; 2],
+        truths: &Truths<'a>,
+        fill: impl FnMut(&mut [Option<Answer>]) + 'a,
+    ) -> Self {
+        let batch = AnswerBatch::new(names[1], self.evaluations, truths, fill);
+        self.push(names, batch)
+    }
+
+    fn push(mut self, [algorithm, scalar]: [&'static str; 2], batch: impl Batch + 'a) -> Self {
         self.variants.push(Variant {
             algorithm,
             scalar,
-            exact: Some(Rc::clone(exact)),
-            batch: Box::new(PointBatch { points, fill }),
+            batch: Box::new(batch),
         });
         self
     }
 
     /// Adds a yardstick: work that has a time but no error.
     pub fn yardstick<P: FloatPoint>(
-        mut self,
+        self,
         [algorithm, scalar]: [&'static str; 2],
         fill: impl FnMut(&mut [P]) + 'a,
     ) -> Self {
         let points = vec![P::origin(); self.evaluations];
-        self.variants.push(Variant {
-            algorithm,
-            scalar,
-            exact: None,
-            batch: Box::new(PointBatch { points, fill }),
-        });
-        self
+        let exact = None;
+        self.push(
+            [algorithm, scalar],
+            PointBatch {
+                points,
+                fill,
+                exact,
+            },
+        )
     }
 
     /// Runs the variant of this name so many times; false where there is none.
@@ -171,13 +232,14 @@ impl<'a> Comparison<'a> {
 
     /// Measures all variants, in turn.
     pub fn measure(mut self, effort: Effort) -> Vec<Row> {
-        let of_variants = self.variants.iter_mut().map(|variant| {
+        let (mut of_variants, mut round) = (Vec::new(), 0.0);
+        for variant in &mut self.variants {
             let once = time(variant, 3).max(1.0);
-            repetitions(effort.turn / once)
-        });
-        let of_variants: Vec<usize> = of_variants.collect();
+            of_variants.push(repetitions(effort.turn / once));
+            round += once.max(effort.turn);
+        }
         let mut times = vec![Vec::new(); self.variants.len()];
-        for _ in 0..effort.rounds {
+        for _ in 0..repetitions(effort.budget / round).clamp(3, effort.rounds) {
             for (index, variant) in self.variants.iter_mut().enumerate() {
                 let turn = time(variant, of_variants[index]);
                 times[index].push(turn / self.evaluations as f64);
@@ -198,14 +260,11 @@ impl<'a> Comparison<'a> {
             algorithm: variant.algorithm,
             scalar: variant.scalar,
             inputs: self.inputs,
-            evaluations: self.evaluations,
+            size: self.size,
             nanoseconds: median,
             spread: (high - low) / median,
             ratio,
-            errors: variant
-                .exact
-                .as_ref()
-                .map(|exact| variant.batch.errors(exact)),
+            errors: variant.batch.errors(),
         }
     }
 }
@@ -242,16 +301,16 @@ pub struct Row {
     algorithm: &'static str,
     scalar: &'static str,
     inputs: &'static str,
-    evaluations: usize,
+    size: usize,
     nanoseconds: f64,
     spread: f64,
     ratio: f64,
-    errors: Option<[f64; 3]>,
+    errors: Option<Errors>,
 }
 
 impl Row {
     /// The names of the cells.
-    pub const COLUMNS: [&str; 12] = [
+    pub const COLUMNS: [&str; 13] = [
         "quantity",
         "algorithm",
         "scalar",
@@ -264,12 +323,13 @@ impl Row {
         "max_ulp",
         "max_abs",
         "rms",
+        "wrong",
     ];
 
     /// The cells as text; those of the errors are empty for a yardstick.
-    pub fn cells(&self) -> [String; 12] {
-        let error = |index: usize| self.errors.map(|errors| errors[index]);
-        let [ulps, largest, rms] = [0, 1, 2].map(error);
+    pub fn cells(&self) -> [String; 13] {
+        let errors = self.errors;
+        let wrong = errors.and_then(|errors| errors.wrong);
         let scientific = |value: Option<f64>| value.map_or(String::new(), |v| format!("{v:.2e}"));
         [
             self.quantity.to_owned(),
@@ -277,14 +337,24 @@ impl Row {
             self.scalar.to_owned(),
             "1".to_owned(),
             self.inputs.to_owned(),
-            self.evaluations.to_string(),
+            self.size.to_string(),
             format!("{:.2}", self.nanoseconds),
             format!("{:.3}", self.spread),
             format!("{:.3}", self.ratio),
-            ulps.map_or(String::new(), short),
-            scientific(largest),
-            scientific(rms),
+            errors.map_or(String::new(), |errors| short(errors.ulps)),
+            scientific(errors.map(|errors| errors.largest)),
+            scientific(errors.map(|errors| errors.rms)),
+            wrong.map_or(String::new(), share),
         ]
+    }
+}
+
+/// A share of all answers: 0 says that none is wrong.
+fn share(value: f64) -> String {
+    if value == 0.0 {
+        "0".to_owned()
+    } else {
+        format!("{value:.1e}")
     }
 }
 

@@ -13,6 +13,7 @@ use std::process::ExitCode;
 use harness::{Comparison, Effort};
 use report::Peers;
 
+mod answers;
 mod bspline;
 #[path = "../../tests/common/mod.rs"]
 #[allow(
@@ -25,6 +26,7 @@ mod coons;
 #[allow(dead_code, reason = "the generators serve the tests")]
 mod float_inputs;
 mod harness;
+mod intersection;
 mod report;
 
 /// What is done with a comparison.
@@ -46,18 +48,24 @@ const CHAPTERS: &[Chapter] = &[
         name: "bspline",
         visit: bspline::visit,
     },
+    Chapter {
+        name: "intersection",
+        visit: intersection::visit,
+    },
 ];
 
 const FULL: Effort = Effort {
     rounds: 501,
     turn: 2e5,
     points: 256,
+    budget: 2e10,
 };
 
 const QUICK: Effort = Effort {
     rounds: 3,
     turn: 1e4,
     points: 4,
+    budget: 2e7,
 };
 
 fn main() -> ExitCode {

@@ -13,7 +13,7 @@ pub fn print(chapter: &str, rows: &[Row]) {
     let mut table = vec![Row::COLUMNS.map(str::to_owned)];
     table.extend(rows.iter().map(Row::cells));
     let width = |column: usize| table.iter().map(|row| row[column].len()).max();
-    let widths: [usize; 12] = std::array::from_fn(|column| width(column).unwrap_or(0));
+    let widths: [usize; 13] = std::array::from_fn(|column| width(column).unwrap_or(0));
     println!("{chapter}: ns_per_eval is a median, spread its interquartile range over it,");
     println!("ratio the time over that of the quantity's first row; errors against exact values");
     for row in &table {

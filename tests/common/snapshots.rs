@@ -50,7 +50,7 @@ pub fn words_of(figures: &[FigureMaker]) -> String {
             ["<image", "<path", "<polygon", "<text"].map(|tag| svg.matches(tag).count());
         // Measurements are made anew with every report, and so are the marks that show them.
         let size = match maker.name {
-            "speed_against_error" => String::new(),
+            name if name.starts_with("speed_") => String::new(),
             _ => format!("{pictures} pictures, {paths} paths, {polygons} polygons, {words} texts"),
         };
         let _ = writeln!(

@@ -17,8 +17,9 @@ pub enum Directive {
     Api(String),
     /// The chapter's exercises: `{{#exercises coons}}`.
     Exercises(String),
-    /// The chapter's table of speed against error: `{{#speed coons}}`.
-    Speed(String),
+    /// The chapter's table of speed against error, `{{#speed coons}}`, or only the quantities that begin with a word: `{{#speed
+    /// intersection, sphere}}`.
+    Speed(String, Option<String>),
     /// A remark on the course, up to `{{#endremark}}`: `{{#remark A08, slide 8, history}}`.
     Remark(String),
     /// The end of a remark.
@@ -99,10 +100,10 @@ fn parse(text: &str) -> Result<Directive, String> {
         "theorem" => one(Directive::Theorem),
         "hard_case" => one(Directive::HardCase),
         "figure" => one(Directive::Figure),
-        "cite" => one(cite),
+        "cite" => one(|arguments| split(arguments, Directive::Cite)),
         "api" => one(Directive::Api),
         "exercises" => one(Directive::Exercises),
-        "speed" => one(Directive::Speed),
+        "speed" => one(|arguments| split(arguments, Directive::Speed)),
         "remark" => one(Directive::Remark),
         "include" => one(Directive::Include),
         "endremark" => none(Directive::EndRemark),
@@ -118,10 +119,11 @@ fn parse(text: &str) -> Result<Directive, String> {
     }
 }
 
-fn cite(arguments: String) -> Directive {
+/// The directive of an argument that may have a second one after a comma.
+fn split(arguments: String, make: fn(String, Option<String>) -> Directive) -> Directive {
     match arguments.split_once(',') {
-        Some((key, place)) => Directive::Cite(key.trim().to_owned(), Some(place.trim().to_owned())),
-        None => Directive::Cite(arguments, None),
+        Some((first, second)) => make(first.trim().to_owned(), Some(second.trim().to_owned())),
+        None => make(arguments, None),
     }
 }
 
@@ -148,6 +150,13 @@ mod tests {
         assert_eq!(
             only("{{#cite farin, section 4.2}}"),
             Ok(Directive::Cite("farin".into(), Some("section 4.2".into())))
+        );
+        assert_eq!(
+            only("{{#speed intersection, sphere}}"),
+            Ok(Directive::Speed(
+                "intersection".into(),
+                Some("sphere".into())
+            ))
         );
         assert_eq!(only("{{#errata}}"), Ok(Directive::Errata));
         assert_eq!(

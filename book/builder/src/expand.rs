@@ -78,7 +78,9 @@ impl<'a> Expander<'a> {
             Directive::Remark(text) => Some(self.remark(text)),
             Directive::EndRemark => Some("\n\n</aside>\n\n".to_owned()),
             Directive::Exercises(chapter) => sections::exercises(self, chapter, page, place),
-            Directive::Speed(chapter) => sections::speed(self, chapter, place),
+            Directive::Speed(chapter, beginning) => {
+                sections::speed(self, chapter, beginning.as_deref(), place)
+            }
             Directive::TheoremIndex => Some(indexes::theorem_index(self, page)),
             Directive::Errata => Some(indexes::errata(self, page)),
             Directive::SlideMap => Some(indexes::slide_map(self, page)),

@@ -12,7 +12,7 @@ const HARNESS: &str = "speed_against_error";
 /// Where it writes.
 const FOLDER: &str = "target/speed_against_error";
 /// The columns of its tables.
-pub const COLUMNS: [&str; 12] = [
+pub const COLUMNS: [&str; 13] = [
     "quantity",
     "algorithm",
     "scalar",
@@ -25,6 +25,7 @@ pub const COLUMNS: [&str; 12] = [
     "max_ulp",
     "max_abs",
     "rms",
+    "wrong",
 ];
 
 /// A table of measurements.
@@ -186,11 +187,11 @@ mod tests {
     use super::*;
     use crate::scratch::Scratch;
 
-    const HEAD: &str = "# processor: P\n# date: 2026-01-02\nquantity,algorithm,scalar,threads,inputs,n,ns_per_eval,spread,ratio,max_ulp,max_abs,rms\n";
+    const HEAD: &str = "# processor: P\n# date: 2026-01-02\nquantity,algorithm,scalar,threads,inputs,n,ns_per_eval,spread,ratio,max_ulp,max_abs,rms,wrong\n";
 
     #[test]
     fn a_table_is_grouped_by_quantity() {
-        let row = |q: &str| format!("{q},direct,f64,1,typical,10,5.0,0.1,1.0,2,1e-16,1e-17\n");
+        let row = |q: &str| format!("{q},direct,f64,1,typical,10,5.0,0.1,1.0,2,1e-16,1e-17,\n");
         let text = format!("{HEAD}{}{}{}", row("point"), row("normal"), row("point"));
         let table = parse(&text).expect("well formed");
         let quantities: Vec<&str> = table.rows.iter().map(|r| r[0].as_str()).collect();

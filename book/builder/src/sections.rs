@@ -85,8 +85,14 @@ fn exercise_box(
     text
 }
 
-/// The table of speed against error of a chapter, one block a quantity, with the machine that it was measured on.
-pub fn speed(expander: &mut Expander<'_>, chapter: &str, place: Place<'_>) -> Option<String> {
+/// The table of speed against error of a chapter, one block a quantity, with the machine that it was measured on; only the quantities
+/// that begin with `beginning` where it is given.
+pub fn speed(
+    expander: &mut Expander<'_>,
+    chapter: &str,
+    beginning: Option<&str>,
+    place: Place<'_>,
+) -> Option<String> {
     let Some(file) = measure::table_file(&expander.material.root, chapter) else {
         let message =
             format!("no measurements of `{chapter}`: expected book/measurements/{chapter}.csv");
@@ -97,7 +103,16 @@ pub fn speed(expander: &mut Expander<'_>, chapter: &str, place: Place<'_>) -> Op
         .map_err(|error| (1, error.to_string()))
         .and_then(|text| measure::parse(&text));
     match read {
-        Ok(table) => Some(speed_table(&table)),
+        Ok(mut table) => {
+            let beginning = beginning.unwrap_or_default();
+            table.rows.retain(|row| row[0].starts_with(beginning));
+            if table.rows.is_empty() {
+                let message = format!("no quantity of {file:?} begins with `{beginning}`");
+                expander.problems.add(place.file, place.first_line, message);
+                return None;
+            }
+            Some(speed_table(&table))
+        }
         Err((line, message)) => {
             expander.problems.add(Path::new(&file), line, message);
             None
@@ -112,20 +127,60 @@ fn speed_table(table: &measure::Measurements) -> String {
         .map(|(key, value)| format!("{key}: {value}"))
         .collect();
     let mut text = format!("\n\n<div class=\"speed\">\n\n{}\n\n", labels.join("; "));
-    let mut quantity: Option<&str> = None;
-    for row in &table.rows {
-        if quantity != Some(row[0].as_str()) {
-            quantity = Some(&row[0]);
-            let _ = write!(
-                text,
-                "\n**{}** ({} evaluations, threads: {})\n\n| algorithm | scalar | inputs | ns | spread | ratio | max ulp | max error | rms |\n| --- | --- | --- | ---: | ---: | ---: | ---: | ---: | ---: |\n",
-                row[0], row[5], row[3]
-            );
-        }
-        let shown = [1, 2, 4, 6, 7, 8, 9, 10, 11].map(|column| &row[column]);
-        let cells = shown.map(|cell| cell.replace('|', "&#124;"));
-        let _ = writeln!(text, "| {} |", cells.join(" | "));
+    for rows in table.rows.chunk_by(|row, next| row[0] == next[0]) {
+        text.push_str(&speed_block(rows));
     }
     text.push_str("\n\n</div>\n\n");
+    text
+}
+
+/// The rows of one quantity. Where `n` differs between them it has a column, and so has the share of wrong answers where there are answers.
+fn speed_block(rows: &[Vec<String>]) -> String {
+    const NAMES: [(&str, usize); 11] = [
+        ("algorithm", 1),
+        ("scalar", 2),
+        ("inputs", 4),
+        ("n", 5),
+        ("ns", 6),
+        ("spread", 7),
+        ("ratio", 8),
+        ("max ulp", 9),
+        ("max error", 10),
+        ("rms", 11),
+        ("wrong", 12),
+    ];
+    let first = &rows[0];
+    let varies = rows.iter().any(|row| row[5] != first[5]);
+    let is_shown = |column: usize| match column {
+        5 => varies,
+        12 => rows.iter().any(|row| !row[12].is_empty()),
+        _ => true,
+    };
+    let columns = NAMES.iter().filter(|(_, column)| is_shown(*column));
+    let columns: Vec<_> = columns.collect();
+    let evaluations = if varies {
+        String::new()
+    } else {
+        format!("{} evaluations, ", first[5])
+    };
+    let mut text = format!(
+        "\n**{}** ({evaluations}threads: {})\n\n|",
+        first[0], first[3]
+    );
+    for (name, _) in &columns {
+        let _ = write!(text, " {name} |");
+    }
+    text.push_str("\n|");
+    for (_, column) in &columns {
+        text.push_str(if *column < 5 { " --- |" } else { " ---: |" });
+    }
+    text.push('\n');
+    for row in rows {
+        let cells = columns
+            .iter()
+            .map(|(_, column)| row[*column].replace('|', "&#124;"));
+        let cells: Vec<_> = cells.collect();
+        let _ = writeln!(text, "| {} |", cells.join(" | "));
+    }
     text
 }

@@ -59,8 +59,8 @@ fn corner_is_far() {
 
 const CSV: &str = "# processor: P
 # date: 2026-01-02
-quantity,algorithm,scalar,threads,inputs,n,ns_per_eval,spread,ratio,max_ulp,max_abs,rms
-point,direct,f64,1,typical,10,5.0,0.1,1.0,2,1e-16,1e-17
+quantity,algorithm,scalar,threads,inputs,n,ns_per_eval,spread,ratio,max_ulp,max_abs,rms,wrong
+point,direct,f64,1,typical,10,5.0,0.1,1.0,2,1e-16,1e-17,
 ";
 
 const BOOK: &str = "[book]

@@ -63,15 +63,43 @@ impl std::error::Error for SpeedError {}
 /// # Errors
 /// As [`scatter`].
 pub fn of_chapter(chapter: &str, committed: &str) -> Result<Figure, SpeedError> {
-    let path = format!("target/speed_against_error/{chapter}.csv");
-    let measured = std::fs::read_to_string(path);
     scatter(
-        measured.as_deref().unwrap_or(committed),
+        &report(chapter, committed),
         "speed_against_error",
         "Speed against error for each quantity of the chapter: the lower left corner wins. The reading is below.".to_owned(),
-        "Scatter plots with the error across and the time up, one for each quantity; the same numbers stand in the table below."
-            .to_owned(),
+        ALTERNATIVE.to_owned(),
     )
+}
+
+/// The figure `name` of those quantities of a chapter that begin with `beginning`; `name` begins with `speed_`.
+///
+/// # Errors
+/// As [`scatter`]; [`SpeedError::Empty`] where no quantity begins so.
+pub fn of_quantities(
+    chapter: &str,
+    committed: &str,
+    name: &'static str,
+    beginning: &str,
+) -> Result<Figure, SpeedError> {
+    let report = report(chapter, committed);
+    let is_kept = |line: &&str| {
+        line.starts_with('#') || line.starts_with("quantity,") || line.starts_with(beginning)
+    };
+    let chosen: Vec<&str> = report.lines().filter(is_kept).collect();
+    scatter(
+        &chosen.join("\n"),
+        name,
+        "Speed against error: the lower left corner wins. The reading is below.".to_owned(),
+        ALTERNATIVE.to_owned(),
+    )
+}
+
+const ALTERNATIVE: &str = "Scatter plots with the error across and the time up, one for each quantity; the same numbers stand in the table below.";
+
+/// The report measured here, where there is one; otherwise the committed one.
+fn report(chapter: &str, committed: &str) -> String {
+    let path = format!("target/speed_against_error/{chapter}.csv");
+    std::fs::read_to_string(path).unwrap_or_else(|_| committed.to_owned())
 }
 
 const PANEL_HEIGHT: f64 = 360.0;
@@ -88,8 +116,8 @@ const LINE: f64 = 20.0;
 /// use facette_figure::speed::scatter;
 ///
 /// let csv = "# processor: an invented one\n\
-///     quantity,algorithm,scalar,threads,inputs,n,ns_per_eval,spread,ratio,max_ulp,max_abs,rms\n\
-///     point,direct,f64,1,typical,1000,12.5,0.02,1,3,4.4e-16,1e-16\n";
+///     quantity,algorithm,scalar,threads,inputs,n,ns_per_eval,spread,ratio,max_ulp,max_abs,rms,wrong\n\
+///     point,direct,f64,1,typical,1000,12.5,0.02,1,3,4.4e-16,1e-16,\n";
 /// let words = ("Speed against error.".to_string(), "One point.".to_string());
 /// let figure = scatter(csv, "speed", words.0, words.1)?;
 /// assert_eq!(figure.file_name(), "speed.svg");

@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use super::SpeedError;
 
 /// The columns of the file, in their order.
-const COLUMNS: [&str; 12] = [
+const COLUMNS: [&str; 13] = [
     "quantity",
     "algorithm",
     "scalar",
@@ -18,6 +18,7 @@ const COLUMNS: [&str; 12] = [
     "max_ulp",
     "max_abs",
     "rms",
+    "wrong",
 ];
 
 /// Which set of inputs was measured.
