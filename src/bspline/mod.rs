@@ -58,5 +58,4 @@ pub use periodic::{Closing, PeriodicError, PeriodicSurface, closed_surface};
 pub use rational::{Homogeneous, RationalCurve, RationalError, RationalSurface, circle, sphere};
 pub use refine::insert_knot;
 pub use surface::{BsplineSurface, surface_point};
-pub(crate) use trimmed::turn;
 pub use trimmed::{Place, TrimError, TrimmedSurface};

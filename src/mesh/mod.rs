@@ -11,23 +11,28 @@
 //!
 //! # Sources
 //!
-//! N. Max, *Weights for computing vertex normals from facet normals*, 1999 (for the plain sum, its section 1).
+//! N. Max, *Weights for computing vertex normals from facet normals*, 1999 (for the plain sum, its section 1); G. Meisters, *Polygons
+//! have ears*, 1975 (faces that are not convex).
 //!
 //! *In the course*: "discrétisation nécessaire pour l'affichage", slide 48.
 //!
 //! *In the book*: [Numbers, points and curves](../../../ground_floor.html).
 
+mod ears;
 mod obj;
 mod tessellate;
+mod triangulate;
 mod write_obj;
 
 use num_traits::{One, Zero};
 use thiserror::Error;
 
+pub(crate) use ears::{ears, turn};
 pub use obj::{Element, Obj, ObjError};
 pub use tessellate::tessellate_uniformly;
 pub use write_obj::write_obj;
 
+use self::triangulate::fan;
 use crate::algebra::{Real, Scalar, Vector3, VectorSpace, divided, unit_vector};
 
 /// What is wrong with the data of a mesh.
@@ -50,6 +55,18 @@ pub enum MeshError {
         /// The vertex that it names.
         vertex: u32,
         /// How many vertices there are.
+        count: usize,
+    },
+    /// A face names a normal that does not exist, or is zero or not finite.
+    #[error(
+        "face {face} names normal {normal}, but only {count} are there, counted from 0, and it must not be zero"
+    )]
+    NoSuchNormal {
+        /// Which face, counted from 0.
+        face: usize,
+        /// The normal that it names.
+        normal: u32,
+        /// How many normals there are.
         count: usize,
     },
     /// A position has an infinite or NaN coordinate.
@@ -148,14 +165,13 @@ impl<P: VectorSpace> Mesh<P> {
             .map(|(&start, &end)| &self.corners[start..end])
     }
 
-    /// The faces cut into triangles from their first vertex: right for convex faces.
+    /// The faces cut into triangles from their first vertex: right for convex faces. For others see [`Mesh::triangulated`].
     pub fn triangles(&self) -> impl Iterator<Item = [u32; 3]> {
-        self.faces()
-            .flat_map(|face| face[1..].windows(2).map(|side| [face[0], side[0], side[1]]))
+        self.faces().flat_map(fan)
     }
 
     /// The unit normals of the vertices, each the mean of its triangles' normals weighted by their areas; the zero vector
-    /// where a vertex has no triangle, or its normals cancel.
+    /// where a vertex has no triangle, or its normals cancel. Cut faces that are not convex first ([`Mesh::triangulated`]).
     ///
     /// # Source
     ///

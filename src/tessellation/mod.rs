@@ -39,7 +39,6 @@
 mod bounds;
 mod bspline;
 mod cells;
-mod ears;
 mod error;
 mod finish;
 mod parameters;

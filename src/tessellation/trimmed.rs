@@ -3,7 +3,6 @@
 use std::collections::HashSet;
 
 use super::bounds::{BoundedSurface, Bounds, Break};
-use super::ears::ears;
 use super::finish::{Tessellation, lifted};
 use super::parameters::{Classes, ParameterMesh, Triangle};
 use super::refine::{Bending, Conforming, Edge, Whole, sides};
@@ -11,6 +10,7 @@ use super::stitch::{usable, vertex_number};
 use super::{Goal, TessellationError, VERTEX_LIMIT, check_tolerance, intervals};
 use crate::algebra::{Real, Scalar, Vector3};
 use crate::bspline::TrimmedSurface;
+use crate::mesh::ears;
 
 /// Triangles that stay within `tolerance` of a trimmed surface.
 ///

@@ -111,7 +111,7 @@ fn spellings() -> impl Strategy<Value = Spelling> {
 }
 
 fn spelled(points: &[[f64; 3]], faces: &[Vec<u32>], how: &Spelling) -> String {
-    let mut text = how.start.to_owned();
+    let mut text = format!("{}vt 0 0\nvn 0 0 1\nvn 0 0 2\n", how.start);
     let count = points.len();
     for [x, y, z] in points {
         let words = match how.vertex {
@@ -138,7 +138,7 @@ fn spelled(points: &[[f64; 3]], faces: &[Vec<u32>], how: &Spelling) -> String {
         let corner = |&vertex: &u32| match how.corner {
             0 => format!("{}", vertex + 1),
             1 => format!("{}/7", vertex + 1),
-            2 => format!("{}//7", vertex + 1),
+            2 => format!("{}//2", vertex + 1),
             3 => format!("{}/1/2", vertex + 1),
             _ => format!("-{}", count - vertex as usize),
         };
@@ -193,7 +193,9 @@ l 4 \\
   5
 o
 f 1 2 3 5 4
+vn 0 0 1
 f -6 -5 -3
+f 1//1 2/7/-1 3//1
 ";
 
 /// **Polygons and polylines.** Faces and polylines are kept apart, each with the name of its object and the number of its line, in the
@@ -205,6 +207,7 @@ fn polygons_and_polylines_are_kept_apart() {
         object: object.to_owned(),
         line,
         vertices: vertices.to_vec(),
+        normals: Vec::new(),
     };
     assert_eq!(
         obj.polylines,
@@ -217,7 +220,11 @@ fn polygons_and_polylines_are_kept_apart() {
         obj.polygons,
         [
             element("", 14, &[0, 1, 2, 4, 3]),
-            element("", 15, &[0, 1, 3])
+            element("", 16, &[0, 1, 3]),
+            Element {
+                normals: vec![0; 3],
+                ..element("", 17, &[0, 1, 2])
+            }
         ]
     );
     assert_eq!(
@@ -225,7 +232,7 @@ fn polygons_and_polylines_are_kept_apart() {
         [[0.0, 1.0, 0.0], [2.0, 1.0, 0.0]]
     );
     assert_eq!(obj.positions.len(), 6);
-    assert_eq!(obj.mesh().expect("two faces").face_count(), 2);
+    assert_eq!(obj.mesh().expect("three faces").face_count(), 3);
 }
 
 /// **No file stops the reader.** Whatever is done to a valid file (bytes changed, removed, repeated, lines exchanged), reading it gives
@@ -245,9 +252,11 @@ fn no_change_of_a_file_stops_the_reader() {
         "f 1 2 99999999999999999999",
         "v 1e999 0 0",
         "f /1 2 3",
+        "vn 0 0 0",
+        "f 1//2 2//1 3//1",
         "\\",
     ]);
-    let inserted = (0..15_usize, word).prop_map(|(line, word)| {
+    let inserted = (0..17_usize, word).prop_map(|(line, word)| {
         let mut lines: Vec<_> = SAMPLE.lines().collect();
         lines.insert(line, word);
         lines.join("\n").into_bytes()
@@ -281,6 +290,7 @@ fn answers(bytes: &[u8]) -> Verdict {
                 &obj.positions,
             )?;
             expect("a mesh", obj.mesh().is_ok(), &obj)?;
+            expect("a mesh", obj.mesh_with_normals().is_ok(), &obj)?;
             let mut vertices = obj.polylines.iter().flat_map(|line| &line.vertices);
             expect(
                 "existing vertices",

@@ -37,7 +37,6 @@ use crate::surface::Surface;
 use polygon::{double_area, first_crossing};
 
 pub use polygon::Place;
-pub(crate) use polygon::turn;
 
 /// What keeps a loop from limiting a surface.
 #[derive(Clone, Debug, PartialEq, Error)]

@@ -2,6 +2,7 @@
 
 use super::TrimError;
 use crate::algebra::{Scalar, VectorSpace};
+use crate::mesh::turn;
 
 /// Where a point lies with respect to a polygon.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -45,25 +46,6 @@ fn clamped<S: Scalar>(value: S, [low, high]: [S; 2]) -> S {
     }
     if value > high { high } else { value }
 }
-
-/// Twice the area of the triangle `a b c`, positive where it turns left; 0 where rounding hides the sign.
-///
-/// # Source
-///
-/// The error bound of the two products: Shewchuk 1997, section 4.1, `ccwerrboundA`.
-// ANCHOR: turn
-pub(crate) fn turn<S: Scalar>(a: Point<S>, b: Point<S>, c: Point<S>) -> S {
-    let left = (a[0] - c[0]) * (b[1] - c[1]);
-    let right = (a[1] - c[1]) * (b[0] - c[0]);
-    let u = S::unit_roundoff();
-    let factor = (S::from_i32(3) + S::from_i32(16) * u) * u;
-    let area = left - right;
-    if area.magnitude() > factor * (left.magnitude() + right.magnitude()) {
-        return area;
-    }
-    S::zero()
-}
-// ANCHOR_END: turn
 
 /// The sides `[start, end]` of a polygon, in order.
 fn sides<S: Scalar>(polygon: &[Point<S>]) -> impl Iterator<Item = [Point<S>; 2]> {

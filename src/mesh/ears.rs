@@ -1,7 +1,25 @@
-//! Simple polygons of the parameter plane cut into triangles.
+//! Simple polygons of a plane cut into triangles.
 
 use crate::algebra::{Scalar, larger};
-use crate::bspline::turn;
+
+/// Twice the area of the triangle `a b c`, positive where it turns left; 0 where rounding hides the sign.
+///
+/// # Source
+///
+/// The error bound of the two products: Shewchuk 1997, section 4.1, `ccwerrboundA`.
+// ANCHOR: turn
+pub(crate) fn turn<S: Scalar>(a: [S; 2], b: [S; 2], c: [S; 2]) -> S {
+    let left = (a[0] - c[0]) * (b[1] - c[1]);
+    let right = (a[1] - c[1]) * (b[0] - c[0]);
+    let u = S::unit_roundoff();
+    let factor = (S::from_i32(3) + S::from_i32(16) * u) * u;
+    let area = left - right;
+    if area.magnitude() > factor * (left.magnitude() + right.magnitude()) {
+        return area;
+    }
+    S::zero()
+}
+// ANCHOR_END: turn
 
 /// What is left of a polygon while ears are cut from it; the lists run in step.
 struct Rest<'a, S> {
@@ -26,7 +44,7 @@ struct Rest<'a, S> {
 ///
 /// Meisters 1975: every simple polygon with more than three corners has two ears.
 // ANCHOR: ears
-pub(super) fn ears<S: Scalar>(corners: &[[S; 2]]) -> Vec<[u32; 3]> {
+pub(crate) fn ears<S: Scalar>(corners: &[[S; 2]]) -> Vec<[u32; 3]> {
     let mut rest = Rest::new(corners);
     let mut triangles = Vec::new();
     while rest.left.len() >= 3 {
