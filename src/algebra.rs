@@ -87,6 +87,16 @@ pub trait Real: Scalar {
 
     /// The number nearest to π: below it in `f64`, above it in `f32`.
     fn pi() -> Self;
+
+    /// The largest power of two that is not above the absolute value, as a unit to measure lengths in: multiplying by it or by its
+    /// reciprocal rounds nothing.
+    ///
+    /// # Edge cases
+    ///
+    /// The smallest normal number where the absolute value is below that, zero included: so the reciprocal is finite. Infinite for infinity
+    /// and NaN.
+    #[must_use]
+    fn power_of_two(self) -> Self;
 }
 
 macro_rules! real_number {
@@ -125,6 +135,11 @@ macro_rules! real_number {
 
             fn pi() -> Self {
                 std::$float::consts::PI
+            }
+
+            fn power_of_two(self) -> Self {
+                let exponent = $float::INFINITY.to_bits();
+                $float::from_bits(self.to_bits() & exponent).max($float::MIN_POSITIVE)
             }
         }
     };

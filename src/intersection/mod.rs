@@ -17,10 +17,20 @@
 //!
 //! *In the book*: [Intersection](../../../intersection.html).
 
+mod bounding_box;
+mod error;
+mod group;
 pub mod hierarchy;
 mod hit;
+mod plane;
+mod sphere;
 
+pub use bounding_box::{BoundingBox, BoxSpan, FaceHit, SlabRay};
+pub use error::IntersectionError;
+pub use group::{Group, nearest};
 pub use hit::{FacetHit, Hit, Side};
+pub use plane::Plane;
+pub use sphere::{Sphere, roots_by_projection, roots_by_quadratic};
 
 use crate::algebra::{Real, Vector3};
 use crate::ray::Ray;
