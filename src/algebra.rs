@@ -97,6 +97,12 @@ pub trait Real: Scalar {
     /// and NaN.
     #[must_use]
     fn power_of_two(self) -> Self;
+
+    /// The same number in double precision.
+    fn to_f64(self) -> f64;
+
+    /// The number nearest to `value`.
+    fn from_f64(value: f64) -> Self;
 }
 
 macro_rules! real_number {
@@ -140,6 +146,20 @@ macro_rules! real_number {
             fn power_of_two(self) -> Self {
                 let exponent = $float::INFINITY.to_bits();
                 $float::from_bits(self.to_bits() & exponent).max($float::MIN_POSITIVE)
+            }
+
+            #[inline]
+            fn to_f64(self) -> f64 {
+                f64::from(self)
+            }
+
+            #[inline]
+            #[allow(
+                clippy::cast_possible_truncation,
+                reason = "rounding is documented; one body serves both widths"
+            )]
+            fn from_f64(value: f64) -> Self {
+                value as $float
             }
         }
     };

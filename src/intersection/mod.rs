@@ -19,11 +19,13 @@
 
 mod bounding_box;
 mod error;
+pub mod fan;
 mod group;
 pub mod hierarchy;
 mod hit;
 mod plane;
 mod sphere;
+pub mod triangle;
 
 pub use bounding_box::{BoundingBox, BoxSpan, FaceHit, SlabRay};
 pub use error::IntersectionError;
