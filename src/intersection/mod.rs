@@ -24,6 +24,7 @@ mod group;
 pub mod hierarchy;
 mod hit;
 mod plane;
+pub mod quadrilateral;
 mod sphere;
 pub mod triangle;
 
