@@ -17,6 +17,7 @@
 //!
 //! *In the book*: [Intersection](../../../intersection.html).
 
+mod bezier_patch;
 mod bounding_box;
 mod error;
 pub mod fan;
@@ -28,6 +29,7 @@ pub mod quadrilateral;
 mod sphere;
 pub mod triangle;
 
+pub use bezier_patch::{BezierPatch, CELL_LIMIT, EDGE_ON, PatchError};
 pub use bounding_box::{BoundingBox, BoxSpan, FaceHit, SlabRay};
 pub use error::IntersectionError;
 pub use group::{Group, nearest};

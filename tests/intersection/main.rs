@@ -8,3 +8,5 @@
 mod common;
 mod hierarchy_oracle;
 mod hierarchy_theorems;
+mod patch_inputs;
+mod patch_theorems;
