@@ -24,6 +24,7 @@ pub mod fan;
 mod group;
 pub mod hierarchy;
 mod hit;
+mod offset;
 mod plane;
 pub mod quadrilateral;
 mod sphere;
@@ -34,6 +35,7 @@ pub use bounding_box::{BoundingBox, BoxSpan, FaceHit, SlabRay};
 pub use error::IntersectionError;
 pub use group::{Group, nearest};
 pub use hit::{FacetHit, Hit, Side};
+pub use offset::{leaving, towards};
 pub use plane::Plane;
 pub use sphere::{Sphere, roots_by_projection, roots_by_quadratic};
 
