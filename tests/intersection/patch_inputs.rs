@@ -119,3 +119,21 @@ pub fn hard() -> impl Strategy<Value = ThroughAPoint> {
     let degree = || 1..=4_usize;
     inputs([degree(), degree()], at_a_side, 8, 1..=1000_i32)
 }
+
+/// The input with all bits in use: control points and origin moved by less than a thousandth, so that nothing is exact any more, and the ray passes near the point.
+pub fn near_meeting(input: &ThroughAPoint) -> (Vec<[f64; 3]>, Ray<[f64; 3]>) {
+    // Fractions that repeat nowhere: multiples of the golden ratio, without their whole part.
+    let mut number = 0.0;
+    let mut moved = |x: f64| {
+        number += 0.618_033_988_749_894_9;
+        x + (number - f64::floor(number) - 0.5) / 512.0
+    };
+    let points = input
+        .floats()
+        .into_iter()
+        .map(|p| p.map(&mut moved))
+        .collect();
+    let ray = input.ray();
+    let [origin, direction] = [ray.origin, ray.direction].map(|p| p.map(&mut moved));
+    (points, Ray::new(origin, direction))
+}
