@@ -1,6 +1,6 @@
 //! Patches and rays whose meeting points are known exactly.
 
-use facette::algebra::{Scalar, VectorSpace};
+use facette::algebra::{Real, VectorSpace};
 use facette::bspline;
 use facette::intersection::BezierPatch;
 use facette::ray::Ray;
@@ -20,7 +20,7 @@ pub struct ThroughAPoint {
 }
 
 /// The patch of these control points over the unit square.
-pub fn patch<S: Scalar>(degrees: [usize; 2], control_points: Vec<[S; 3]>) -> BezierPatch<[S; 3]> {
+pub fn patch<S: Real>(degrees: [usize; 2], control_points: Vec<[S; 3]>) -> BezierPatch<[S; 3]> {
     BezierPatch::new(bspline::BezierPatch {
         domain: [[S::zero(), S::one()]; 2],
         degrees,
@@ -34,7 +34,7 @@ impl ThroughAPoint {
         self.sixteenths.map(|sixteenth| f64::from(sixteenth) / 16.0)
     }
 
-    pub fn patch<S: Scalar>(&self) -> BezierPatch<[S; 3]> {
+    pub fn patch<S: Real>(&self) -> BezierPatch<[S; 3]> {
         let points = self.control_points.iter();
         let points = points.map(|point| point.map(S::from_i32)).collect();
         patch(self.degrees, points)

@@ -30,27 +30,27 @@ fn transversality(surface: &BsplineSurface<[f64; 3]>, [u, v]: [f64; 2], d: [f64;
 }
 
 /// The ray through the input's point in a type with fewer digits, which hold it too.
-fn meets_its_point<S>(input: &ThroughAPoint, least: f64, skipped: &Cell<u32>) -> Verdict
+fn meets_its_point<S>(input: &ThroughAPoint, skipped: &Cell<u32>) -> Verdict
 where
-    S: Real + num_traits::AsPrimitive<f64>,
-    f64: num_traits::AsPrimitive<S>,
+    S: Real,
 {
     let patch = input.patch::<S>();
     let double = input.patch::<f64>();
-    let is_kept = input.point().iter().chain(&input.ray().origin).all(|&x| {
-        let rounded: S = num_traits::AsPrimitive::as_(x);
-        num_traits::AsPrimitive::<f64>::as_(rounded) == x
-    });
+    let is_kept = input
+        .point()
+        .iter()
+        .chain(&input.ray().origin)
+        .all(|&x| S::from_f64(x).to_f64() == x);
     let ray = input.ray();
-    if !is_kept || transversality(double.surface(), input.parameters(), ray.direction) < least {
+    if !is_kept || transversality(double.surface(), input.parameters(), ray.direction) < 1e-6 {
         skipped.set(skipped.get() + 1);
         return Ok(());
     }
-    let to = |p: [f64; 3]| p.map(num_traits::AsPrimitive::<S>::as_);
+    let to = |p: [f64; 3]| p.map(S::from_f64);
     let ray = Ray::new(to(ray.origin), to(ray.direction));
     let found = patch.intersect(&ray);
     let t = f64::from(input.t);
-    let first = found.map(|hit| hit.t.as_() - hit.t_error.as_());
+    let first = found.map(|hit| hit.t.to_f64() - hit.t_error.to_f64());
     if first.is_none_or(|first| first > t) {
         return Err(Broken {
             expected: format!("a hit at t = {t} or before"),
@@ -60,7 +60,7 @@ where
     // Others may be nearer: each is passed, until the ray has come to the point or beyond it.
     let mut from = ray;
     while let Some(hit) = patch.intersect(&from) {
-        let [at, error] = [hit.t.as_(), hit.t_error.as_()];
+        let [at, error] = [hit.t.to_f64(), hit.t_error.to_f64()];
         if (at - t).abs() <= error {
             return Ok(());
         }
@@ -76,8 +76,8 @@ where
 }
 
 /// **No root is missed.** Take any Bézier patch, with folds, crossings and degrees up to four, and a ray that passes through a point of it. The patch is hit there, or before. Passing on from hit to hit,
-/// the ray comes to the point itself, within `t_error` of its $t$: in the middle of the patch, on its sides and in its corners, in both precisions. Left out are rays within $10^{-6}$ (`f32`: $0.03$) of the tangent
-/// plane, where a rounding of the patch moves the root by a million (thirty) roundings.
+/// the ray comes to the point itself, within `t_error` of its $t$: in the middle of the patch, on its sides and in its corners, in both precisions. Left out are rays within $10^{-6}$ of the tangent
+/// plane, where a rounding of the patch moves the root by a million roundings.
 ///
 /// The point and the ray are made of whole numbers and powers of two, so that the ray passes through the point *exactly*.
 ///
@@ -90,8 +90,8 @@ fn no_root_of_a_patch_is_missed() {
         suspects::library,
     );
     law.on_cases(1000).holds(wild(), hard(), |input| {
-        meets_its_point::<f64>(input, 1e-6, &skipped[0])?;
-        meets_its_point::<f32>(input, 0.03, &skipped[1])
+        meets_its_point::<f64>(input, &skipped[0])?;
+        meets_its_point::<f32>(input, &skipped[1])
     });
     let skipped = skipped.map(Cell::into_inner);
     println!("left out: {skipped:?} of 1000");
@@ -104,33 +104,32 @@ fn no_root_of_a_patch_is_missed() {
 /// The patch and the ray in single precision or in double, with hits as doubles.
 fn keeps_its_bounds<S>(input: &ThroughAPoint, bounds: [&Bound; 2], hits: &Cell<u32>) -> Verdict
 where
-    S: Real + num_traits::AsPrimitive<f64>,
-    f64: num_traits::AsPrimitive<S>,
+    S: Real,
 {
     let (points, ray) = near_meeting(input);
-    let to = |p: [f64; 3]| p.map(num_traits::AsPrimitive::<S>::as_);
+    let to = |p: [f64; 3]| p.map(S::from_f64);
     let points: Vec<[S; 3]> = points.into_iter().map(to).collect();
     let ray = Ray::new(to(ray.origin), to(ray.direction));
     let Some(hit) = patch(input.degrees, points.clone()).intersect(&ray) else {
         return Ok(());
     };
-    let wide = |p: [S; 3]| p.map(num_traits::AsPrimitive::<f64>::as_);
+    let wide = |p: [S; 3]| p.map(S::to_f64);
     let points: Vec<[f64; 3]> = points.into_iter().map(wide).collect();
     let ray = Ray::new(wide(ray.origin), wide(ray.direction));
     let [u, v] = hit
         .parameters
         .expect("a patch has parameters")
-        .map(|x| x.as_());
+        .map(|x| x.to_f64());
     let surface = patch(input.degrees, points.clone());
     if transversality(surface.surface(), [u, v], ray.direction) < 0.01 {
         return Ok(());
     }
     hits.set(hits.get() + 1);
     let exact = refined_root(input.degrees, &points, &ray, [u, v]);
-    bounds[0].holds(hit.t.as_(), &exact.t, hit.t_error.as_())?;
+    bounds[0].holds(hit.t.to_f64(), &exact.t, hit.t_error.to_f64())?;
     let on_surface = big_patch_point(input.degrees, &points, [&big(u), &big(v)]);
     for (computed, exact) in wide(hit.point).into_iter().zip(&on_surface) {
-        bounds[1].holds(computed, exact, hit.point_error.as_())?;
+        bounds[1].holds(computed, exact, hit.point_error.to_f64())?;
     }
     Ok(())
 }
@@ -140,7 +139,8 @@ where
 ///
 /// *The first.* In the ray's coordinates, with the largest coordinate of $P_{ij}-o$ as the unit, projecting costs $9\mathbf u$, each halving in $u$ or $v$ another $2p\,\mathbf u$ or $2q\,\mathbf u$, the
 /// evaluation $6(p+q)\mathbf u$ and the certificate's equations $5\mathbf u$ of their size. Let $\varepsilon$ be the sum. As the certificate has $|G(x)-G(y)|\ge\frac34|x-y|$, the root is at most
-/// $\frac43(|G(x)|+\varepsilon)$ away from $x$, and its depth differs by at most that times the largest derivatives. These are worst cases of sums of dozens of roundings, all of one sign: the largest error seen is a thirtieth.
+/// $\frac43(|G(x)|+\varepsilon)$ away from $x$, and its depth differs by at most that times the largest derivatives. These are worst cases of sums of dozens of roundings, all of one sign: the largest error seen is a fortieth in double
+/// precision; in single precision the bound is that of rounding $t$, and is nearly attained.
 ///
 /// *The second.* The point is evaluated as a B-spline without inner knots: $(6p+6q+2)\mathbf u$ of the largest coordinate.
 #[test]
@@ -151,11 +151,11 @@ fn patch_hits_keep_their_bounds() {
         "intersection::patch_hits_keep_their_bounds",
         suspects::library,
     );
-    law.on_cases(200).holds(wild(), hard(), |input| {
+    law.on_cases(64).holds(wild(), hard(), |input| {
         keeps_its_bounds::<f64>(input, [&bounds[0], &bounds[1]], &hits)?;
         keeps_its_bounds::<f32>(input, [&bounds[2], &bounds[3]], &hits)
     });
-    assert!(hits.get() >= 200, "{} hits of 400 rays", hits.get());
+    assert!(hits.get() >= 64, "{} hits of 128 rays", hits.get());
     for (bound, part) in bounds.iter().zip([0.01, 0.05, 0.01, 0.05]) {
         bound.is_used_up_to(part);
     }
@@ -295,21 +295,4 @@ fn no_ray_slips_between_the_pieces_of_a_surface() {
                 got: "none".to_owned(),
             })
         });
-}
-#[test]
-fn scratch_patch_() {
-    let input = ThroughAPoint { degrees: [1, 1], control_points: vec![[0, 0, 0], [-4, 0, 12], [-1, -3, 7], [9, 0, 0]], sixteenths: [1, 1], direction: [0, -4, 0], t: 89 };
-    let (points, ray) = near_meeting(&input);
-    let to = |p: [f64; 3]| p.map(|x| x as f32);
-    let wide = |p: [f32; 3]| p.map(f64::from);
-    let p32: Vec<_> = points.iter().map(|&p| to(p)).collect();
-    let r32 = Ray::new(to(ray.origin), to(ray.direction));
-    let hit = patch([1,1], p32.clone()).intersect(&r32);
-    println!("{hit:?}");
-    let p: Vec<_> = p32.into_iter().map(wide).collect();
-    let r = Ray::new(wide(r32.origin), wide(r32.direction));
-    let h = patch([1,1], p.clone()).intersect(&r);
-    println!("{h:?}");
-    println!("{:?}", bilinear_roots(&p, &r));
-    println!("{}", transversality(patch([1,1], p.clone()).surface(), h.unwrap().parameters.unwrap(), r.direction));
 }

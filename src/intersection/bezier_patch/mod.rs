@@ -27,7 +27,8 @@
 //!
 //! Every test carries a bound on the rounding of its control points, so no root is discarded by rounding. What cannot be decided is named, not guessed:
 //!
-//! - A part whose image has shrunk to the size of the rounding is a **point on the ray**, and a hit: a pole, where a side of the patch is one point.
+//! - A part whose image has shrunk to the size of the rounding is a **point on the ray**, and a hit: a pole, where a side of the patch is one point. Its `t_error` supposes that the
+//!   patch is near its tangent plane there.
 //! - A part that the ray sees **edge-on**, as a segment no thicker than the rounding and at least [`EDGE_ON`] times as long, is not hit, as a triangle is not hit by a ray
 //!   in its plane. A tangent ray is of this kind: it passes a silhouette within rounding.
 //! - A patch that collapses onto a curve has a curve of roots in the parameters. After [`CELL_LIMIT`] parts the search ends with what it found.
@@ -47,7 +48,8 @@ mod certificate;
 mod net;
 mod search;
 
-use num_traits::Zero;
+use std::marker::PhantomData;
+
 use thiserror::Error;
 
 pub use certificate::EDGE_ON;
@@ -56,16 +58,18 @@ pub use search::CELL_LIMIT;
 use self::net::RayFrame;
 use self::search::{Root, Search};
 use super::{Hit, Intersect, Side};
-use crate::algebra::{Real, Scalar, Vector3, VectorSpace, larger, unit_vector};
+use crate::algebra::{Real, Scalar, Vector3, VectorSpace, unit_vector};
 use crate::bspline::{self, BsplineError, BsplineSurface, KnotVector};
-use crate::curve::count;
 use crate::ray::Ray;
 use crate::surface::Surface;
+
+/// The search works in double precision, whatever the type of the points.
+const ROUNDOFF: f64 = f64::EPSILON / 2.0;
 
 /// What keeps a Bézier patch from being met by rays.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
-pub enum PatchError<S> {
+pub enum PatchError {
     /// A degree is 0: the patch is a curve or a point, and has no normal anywhere.
     #[error(
         "degrees {} and {}: a patch needs at least degree 1 in u and in v", degrees[0], degrees[1]
@@ -76,7 +80,7 @@ pub enum PatchError<S> {
     },
     /// The control points, the degrees or the domain are unusable.
     #[error(transparent)]
-    Patch(#[from] BsplineError<S>),
+    Patch(#[from] BsplineError<f64>),
 }
 
 /// A tensor-product Bézier patch of any degrees from 1 on, as rays meet it.
@@ -85,7 +89,8 @@ pub enum PatchError<S> {
 ///
 /// Every root with t in the ray's interval is found, but for those seen edge-on ([the module](self) says when). `t_error` bounds the distance from the exact root's t for the exact
 /// patch and ray (tested as `patch_hits_keep_their_bounds`). The point is `S(u, v)` evaluated at the hit's parameters, within
-/// `point_error = (6p + 6q + 2)u · M` of the surface, M the largest coordinate of the control points: that does not grow with t.
+/// `point_error = (6p + 6q + 2)u · M` of the surface, M the largest coordinate of the control points: that does not grow with t. All is computed in double precision; in single precision, rounding t and the point
+/// adds a roundoff of theirs.
 ///
 /// # Cost
 ///
@@ -114,38 +119,39 @@ pub enum PatchError<S> {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug)]
-pub struct BezierPatch<P: VectorSpace> {
-    surface: BsplineSurface<P>,
+pub struct BezierPatch<P> {
+    surface: BsplineSurface<[f64; 3]>,
     degrees: [usize; 2],
-    point_error: P::Scalar,
+    point_error: f64,
+    points: PhantomData<P>,
 }
 
-impl<P: Vector3> BezierPatch<P> {
+impl<P: Vector3<Scalar: Real>> BezierPatch<P> {
     /// The patch of these control points over this domain.
     ///
     /// # Errors
     ///
     /// [`PatchError::NoArea`] for a degree of 0; [`PatchError::Patch`] for a domain without length, a number of control points that does not fit the degrees, and points
     /// that are not finite.
-    pub fn new(patch: bspline::BezierPatch<P>) -> Result<Self, PatchError<P::Scalar>> {
+    pub fn new(patch: bspline::BezierPatch<P>) -> Result<Self, PatchError> {
         let degrees = patch.degrees;
         if degrees.contains(&0) {
             return Err(PatchError::NoArea { degrees });
         }
-        let [in_u, in_v] = patch.domain;
+        let [in_u, in_v] = patch.domain.map(|ends| ends.map(Real::to_f64));
         let knots = [
             clamped_knots(degrees[0], in_u)?,
             clamped_knots(degrees[1], in_v)?,
         ];
-        let largest = patch.control_points.iter();
-        let largest = largest
-            .map(|point| point.largest_coordinate())
-            .fold(P::Scalar::zero(), larger);
-        let roundoffs = P::Scalar::from_i32(count(6 * (degrees[0] + degrees[1]) + 2));
+        let points: Vec<_> = patch.control_points.into_iter().map(coordinates).collect();
+        let largest = points.iter().map(|point| point.largest_coordinate());
+        let largest = largest.fold(0.0, f64::max);
+        let roundoffs = (6 * (degrees[0] + degrees[1]) + 2) as f64;
         Ok(Self {
-            surface: BsplineSurface::new(knots, patch.control_points)?,
+            surface: BsplineSurface::new(knots, points)?,
             degrees,
-            point_error: roundoffs * P::Scalar::unit_roundoff() * largest,
+            point_error: roundoffs * ROUNDOFF * largest,
+            points: PhantomData,
         })
     }
 
@@ -154,7 +160,7 @@ impl<P: Vector3> BezierPatch<P> {
     /// # Errors
     ///
     /// As [`BezierPatch::new`].
-    pub fn pieces_of(surface: &BsplineSurface<P>) -> Result<Vec<Self>, PatchError<P::Scalar>> {
+    pub fn pieces_of(surface: &BsplineSurface<P>) -> Result<Vec<Self>, PatchError> {
         surface
             .bezier_patches()
             .into_iter()
@@ -162,8 +168,8 @@ impl<P: Vector3> BezierPatch<P> {
             .collect()
     }
 
-    /// The patch as a surface, to be evaluated or tessellated.
-    pub fn surface(&self) -> &BsplineSurface<P> {
+    /// The patch as a surface in double precision, to be evaluated or tessellated.
+    pub fn surface(&self) -> &BsplineSurface<[f64; 3]> {
         &self.surface
     }
 
@@ -173,51 +179,80 @@ impl<P: Vector3> BezierPatch<P> {
     }
 
     /// The nearest root, or with `any` the first one found, in the ray's coordinates and in the unit square.
-    fn root(&self, ray: &Ray<P>, any: bool) -> Option<(RayFrame<P>, Root<P::Scalar>)> {
-        let frame = RayFrame::new(ray, self.surface.control_points())?;
-        let mut search = Search::new(&frame, ray, self.surface.control_points(), self.degrees)?;
+    fn root(&self, ray: &Ray<P>, any: bool) -> Option<(RayFrame, Root)> {
+        let reaches = |t: f64| ray.reaches(P::Scalar::from_f64(t));
+        let wide = Ray {
+            origin: coordinates(ray.origin),
+            direction: coordinates(ray.direction),
+            start: ray.start.to_f64(),
+            end: ray.end.map(Real::to_f64),
+        };
+        let points = self.surface.control_points();
+        let frame = RayFrame::new(&wide, points)?;
+        let mut search = Search::new(&frame, &wide, points, self.degrees, &reaches)?;
         let root = search.nearest(any)?;
         Some((frame, root))
+    }
+
+    /// The hit at a root.
+    fn hit(&self, direction: P, frame: &RayFrame, root: Root) -> Option<Hit<P>> {
+        let domain = self.surface.domain();
+        // Rounded to the type of the hit before the point is computed: parameters and point belong together.
+        let parameters = [0, 1].map(|i| {
+            let [start, end] = domain[i];
+            P::Scalar::from_f64(start.lerp(end, root.parameters[i]))
+        });
+        let [u, v] = parameters.map(Real::to_f64);
+        let direction = coordinates(direction);
+        let normal = self.surface.normal_vector(u, v).and_then(unit_vector);
+        let normal = normal.or_else(|| unit_vector(direction.times(-1.0)))?;
+        let mut depth_error = root.depth_error;
+        if root.is_point {
+            // The root may be beside the part: as far along the tangent plane as the part and its rounding are beside the ray, twice for what is bent.
+            depth_error += 2.0 * root.depth_error * frame.depth_per_offset(normal);
+        }
+        let [t, t_error] = frame.ray_parameter(root.depth, depth_error);
+        let point = self.surface.point(u, v);
+        let is_back = direction.dot(normal) > 0.0;
+        Some(Hit {
+            t: P::Scalar::from_f64(t),
+            t_error: rounded_bound::<P>(t, t_error),
+            point: P::from_coordinates(point.map(P::Scalar::from_f64)),
+            point_error: rounded_bound::<P>(point.largest_coordinate(), self.point_error),
+            normal: P::from_coordinates(normal.map(P::Scalar::from_f64)),
+            parameters: Some(parameters),
+            side: if is_back { Side::Back } else { Side::Front },
+        })
     }
 }
 
 /// The knots of one span of this degree over this interval.
-fn clamped_knots<S: Scalar>(degree: usize, ends: [S; 2]) -> Result<KnotVector<S>, BsplineError<S>> {
+fn clamped_knots(degree: usize, ends: [f64; 2]) -> Result<KnotVector<f64>, BsplineError<f64>> {
     let knots = ends.map(|end| vec![end; degree + 1]).concat();
     KnotVector::new(degree, knots)
 }
 
-impl<P> Intersect for BezierPatch<P>
-where
-    P: Vector3,
-    P::Scalar: Real,
-{
+fn coordinates<P: Vector3<Scalar: Real>>(point: P) -> [f64; 3] {
+    [0, 1, 2].map(|axis| point.coordinate(axis).to_f64())
+}
+
+/// The bound on the error of `value` once it is rounded to the type in which it is handed out, rounded up itself.
+fn rounded_bound<P: Vector3<Scalar: Real>>(value: f64, error: f64) -> P::Scalar {
+    let unit = P::Scalar::unit_roundoff().to_f64();
+    let rounding = if unit > ROUNDOFF {
+        value.abs() * unit
+    } else {
+        0.0
+    };
+    P::Scalar::from_f64((error + rounding) * (1.0 + 4.0 * unit))
+}
+
+impl<P: Vector3<Scalar: Real>> Intersect for BezierPatch<P> {
     type Point = P;
 
     fn intersect(&self, ray: &Ray<P>) -> Option<Hit<P>> {
         let (frame, root) = self.root(ray, false)?;
-        let [t, t_error] = frame.ray_parameter(root.depth, root.depth_error);
-        let domain = self.surface.domain();
-        let [u, v] = [0, 1].map(|i| {
-            let [start, end] = domain[i];
-            start.lerp(end, root.parameters[i])
-        });
-        let normal = self.surface.normal_vector(u, v).and_then(unit_vector);
-        let normal = normal.or_else(|| unit_vector(P::origin().minus(ray.direction)))?;
-        let side = if ray.direction.dot(normal) > P::Scalar::zero() {
-            Side::Back
-        } else {
-            Side::Front
-        };
-        Some(Hit {
-            t,
-            t_error,
-            point: self.surface.point(u, v),
-            point_error: self.point_error,
-            normal,
-            parameters: Some([u, v]),
-            side,
-        })
+        self.hit(ray.direction, &frame, root)
     }
 
     fn is_hit_by(&self, ray: &Ray<P>) -> bool {

@@ -1,9 +1,8 @@
 //! The search: parts of the patch, the nearest first, halved until each is decided.
 
+use super::ROUNDOFF;
 use super::certificate::{Examined, Finding, Part};
 use super::net::{ROUNDOFFS_OF_A_PROJECTION, RayFrame, Seen, halve};
-use crate::algebra::{Scalar, Vector3};
-use crate::curve::count;
 use crate::ray::Ray;
 
 /// So many parts of a patch are looked at for one ray. A bicubic patch has at most 18 roots, and even a tangent ray needs some hundreds of parts; only a patch that collapses onto
@@ -12,37 +11,40 @@ pub const CELL_LIMIT: usize = 1 << 14;
 
 /// A root in the ray's coordinates.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Root<S> {
+pub(super) struct Root {
     /// Where in the unit square.
-    pub(super) parameters: [S; 2],
+    pub(super) parameters: [f64; 2],
     /// How far along the ray.
-    pub(super) depth: S,
+    pub(super) depth: f64,
     /// A bound on the error of the depth.
-    pub(super) depth_error: S,
+    pub(super) depth_error: f64,
+    /// Whether it is a part of the patch as small as the rounding, and not a certified root.
+    pub(super) is_point: bool,
 }
 
 /// The parts that are left to look at, the next one last: each with its control net at the end of `nets`.
-pub(super) struct Search<S> {
+pub(super) struct Search<'a> {
     degrees: [usize; 2],
     /// The ray's interval of depths, widened by its rounding; ends at the nearest root so far.
-    depths: (S, Option<S>),
-    /// Where the ray ends, and what a depth is multiplied with to be compared with it.
-    end: Option<S>,
-    t_per_depth: S,
-    parts: Vec<Part<S>>,
-    nets: Vec<Seen<S>>,
-    buffer: Vec<Seen<S>>,
+    depths: (f64, Option<f64>),
+    t_per_depth: f64,
+    /// Whether the ray's interval holds a t, which is rounded to the ray's own type first.
+    reaches: &'a dyn Fn(f64) -> bool,
+    parts: Vec<Part>,
+    nets: Vec<Seen>,
+    buffer: Vec<Seen>,
 }
 
-impl<S: Scalar> Search<S> {
+impl<'a> Search<'a> {
     /// The search that begins with the whole patch; `None` where its hull already lies beside the ray.
-    pub(super) fn new<P: Vector3<Scalar = S>>(
-        frame: &RayFrame<P>,
-        ray: &Ray<P>,
-        control_points: &[P],
+    pub(super) fn new(
+        frame: &RayFrame,
+        ray: &Ray<[f64; 3]>,
+        control_points: &[[f64; 3]],
         degrees: [usize; 2],
+        reaches: &'a dyn Fn(f64) -> bool,
     ) -> Option<Self> {
-        let rounding = S::from_i32(ROUNDOFFS_OF_A_PROJECTION) * S::unit_roundoff();
+        let rounding = ROUNDOFFS_OF_A_PROJECTION * ROUNDOFF;
         let mut beside = [true; 4];
         for &point in control_points {
             let [a, b, _] = frame.seen(point);
@@ -55,18 +57,18 @@ impl<S: Scalar> Search<S> {
             return None;
         }
         let whole = Part {
-            corner: [S::zero(); 2],
-            sides: [S::one(); 2],
+            corner: [0.0; 2],
+            sides: [1.0; 2],
             rounding,
         };
         Some(Self {
             degrees,
             depths: (
-                frame.depth_beyond(ray.start, -1),
-                ray.end.map(|end| frame.depth_beyond(end, 1)),
+                frame.depth_beyond(ray.start, -1.0),
+                ray.end.map(|end| frame.depth_beyond(end, 1.0)),
             ),
-            end: ray.end,
             t_per_depth: frame.t_per_depth,
+            reaches,
             parts: vec![whole],
             nets: control_points
                 .iter()
@@ -78,7 +80,7 @@ impl<S: Scalar> Search<S> {
 
     /// The root with the least depth in the ray's interval; with `any`, the first that is found.
     // ANCHOR: search
-    pub(super) fn nearest(&mut self, any: bool) -> Option<Root<S>> {
+    pub(super) fn nearest(&mut self, any: bool) -> Option<Root> {
         let mut nearest = None;
         for _ in 0..CELL_LIMIT {
             let Some(part) = self.parts.pop() else {
@@ -116,22 +118,21 @@ impl<S: Scalar> Search<S> {
     }
 
     /// Whether a root lies in the ray's interval, and after its start for certain.
-    fn counts(&self, root: Root<S>) -> bool {
+    fn counts(&self, root: Root) -> bool {
         let (start, nearest) = self.depths;
-        let t = root.depth * self.t_per_depth;
         root.depth - root.depth_error > start
             && nearest.is_none_or(|nearest| root.depth <= nearest)
-            && self.end.is_none_or(|end| t <= end)
+            && (self.reaches)(root.depth * self.t_per_depth)
     }
 
     /// Replaces the part, whose net is the last one, by its halves, the nearer one last.
-    fn halve(&mut self, part: Part<S>, direction: usize) {
+    fn halve(&mut self, part: Part, direction: usize) {
         let lower = halve(&mut self.nets, self.degrees, direction);
         // Each level of de Casteljau rounds sums of two numbers up to 2, and halves them: two roundoffs.
-        let roundoffs = S::from_i32(count(2 * self.degrees[direction])) * S::unit_roundoff();
+        let roundoffs = (2 * self.degrees[direction]) as f64 * ROUNDOFF;
         let mut halves = [part; 2];
         for half in &mut halves {
-            half.sides[direction] = part.sides[direction] * S::ratio(1, 2);
+            half.sides[direction] = part.sides[direction] * 0.5;
             half.rounding = part.rounding + roundoffs;
         }
         let [below, above] = &mut halves;
@@ -139,10 +140,7 @@ impl<S: Scalar> Search<S> {
         let length = self.net_length();
         let (rest, last) = self.nets.split_at_mut(lower);
         let upper = &mut rest[lower - length..];
-        let nearest = |net: &[Seen<S>]| {
-            let depths = net.iter().map(|f| f[2]);
-            depths.reduce(|a, b| if b < a { b } else { a })
-        };
+        let nearest = |net: &[Seen]| net.iter().map(|f| f[2]).fold(f64::INFINITY, f64::min);
         if nearest(upper) < nearest(last) {
             upper.swap_with_slice(last);
             self.parts.extend([halves[0], halves[1]]);
