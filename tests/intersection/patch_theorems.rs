@@ -119,7 +119,7 @@ where
     let [u, v] = hit
         .parameters
         .expect("a patch has parameters")
-        .map(|x| x.to_f64());
+        .map(S::to_f64);
     let surface = patch(input.degrees, points.clone());
     if transversality(surface.surface(), [u, v], ray.direction) < 0.01 {
         return Ok(());

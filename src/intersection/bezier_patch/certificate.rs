@@ -212,7 +212,7 @@ impl Examined<'_> {
                 (f_s[0] * f[1] - f[0] * f_s[1]) / determinant,
             ];
             let next = [0, 1].map(|i| (place[i] - steps[i]).clamp(0.0, 1.0));
-            if next == place {
+            if next.map(f64::to_bits) == place.map(f64::to_bits) {
                 break;
             }
             place = next;

@@ -30,8 +30,8 @@ impl RayFrame {
     /// The frame of a ray, as large as the control points; `None` for a ray or a size that is not finite, and for no direction.
     // ANCHOR: frame
     pub(super) fn new(ray: &Ray<[f64; 3]>, control_points: &[[f64; 3]]) -> Option<Self> {
-        let largest = ray.direction.largest_coordinate();
-        let k = (0..3).find(|&axis| ray.direction[axis].abs() == largest)?;
+        let speeds = ray.direction.map(f64::abs);
+        let k = (1..3).fold(0, |k, axis| if speeds[axis] > speeds[k] { axis } else { k });
         let axes = [(k + 1) % 3, (k + 2) % 3, k];
         let along = ray.direction[k];
         let slopes = [0, 1].map(|i| ray.direction[axes[i]] / along);
@@ -39,6 +39,7 @@ impl RayFrame {
         let sizes = sizes.map(|point| point.minus(ray.origin).largest_coordinate());
         let size = sizes.fold(0.0, f64::max);
         // ANCHOR_END: frame
+        let largest = ray.direction.largest_coordinate();
         let is_usable = |x: f64| x > 0.0 && x.is_finite();
         if !(is_usable(largest) && is_usable(size) && ray.origin.has_finite_coordinates()) {
             return None;
