@@ -4,7 +4,7 @@
 //! n outer edges where single triangles would have 3n. What is computed once cannot disagree with itself:
 //!
 //! ```text
-//! m = d × (hub − o)          sᵢ = m · (rimᵢ − hub)          triangle i:  sᵢ and sᵢ₊₁ of opposite sign, and the outer edge
+//! m = d × (hub − o) / |d_z|       sᵢ = m · (rimᵢ − hub)       triangle i:  sᵢ and sᵢ₊₁ of opposite sign, and the outer edge
 //! ```
 //!
 //! # Conventions
@@ -14,7 +14,8 @@
 //! # Numerics
 //!
 //! All spokes are multiplied with one vector m, and each sign serves both neighbours: no ray slips between two triangles of a fan, nor through
-//! its hub. Between fans it may.
+//! its hub. Between fans it may. Towards the hub m is nothing but rounding: the vector product of two rounded vectors could then point along the ray,
+//! and have all spokes on one side. So m is made in the sheared space of [`ShearedRay`], which keeps it perpendicular to the ray.
 //!
 //! # Sources
 //!
@@ -28,7 +29,7 @@ use num_traits::Zero;
 use thiserror::Error;
 
 use super::FacetHit;
-use super::triangle::{facet_hit, side_along};
+use super::triangle::{ShearedRay, facet_hit, side_along};
 use crate::algebra::Vector3;
 use crate::ray::Ray;
 
@@ -143,13 +144,12 @@ impl<P: Vector3> Fan<P> {
     /// 5 multiplications and additions a triangle; some 30 more where two spokes have opposite signs, which is two triangles in most fans.
     // ANCHOR: fan
     pub fn intersect(&self, ray: &Ray<P>) -> Option<FanHit<P::Scalar>> {
-        let to_hub = self.hub.minus(ray.origin);
-        let m = ray.direction.cross(to_hub);
+        let view = View::new(self.hub, ray);
         let mut nearest: Option<FanHit<P::Scalar>> = None;
-        let mut before = m.dot(self.spokes[0]);
+        let mut before = view.side_of(self.spokes[0]);
         for (triangle, ends) in self.spokes.windows(2).enumerate() {
-            let after = m.dot(ends[1]);
-            if let Some(facet) = between(ray, to_hub, [ends[0], ends[1]], [before, after])
+            let after = view.side_of(ends[1]);
+            if let Some(facet) = view.between([ends[0], ends[1]], [before, after])
                 && nearest.is_none_or(|nearest| facet.t < nearest.facet.t)
             {
                 nearest = Some(FanHit { triangle, facet });
@@ -161,31 +161,59 @@ impl<P: Vector3> Fan<P> {
     // ANCHOR_END: fan
 }
 
-/// The hit with the triangle between two spokes whose sides are known.
-#[inline]
-fn between<P: Vector3>(
-    ray: &Ray<P>,
+/// A hub as a ray sees it, in the sheared space where the ray is an axis.
+struct View<P: Vector3> {
+    ray: Ray<P>,
+    sheared: ShearedRay<P>,
     to_hub: P,
-    [first, second]: [P; 2],
-    [before, after]: [P::Scalar; 2],
-) -> Option<FacetHit<P::Scalar>> {
-    let zero = P::Scalar::zero();
-    let is_front = before <= zero && after >= zero;
-    let is_back = before >= zero && after <= zero;
-    if !(is_front || is_back) {
-        return None;
+    /// x and y of the hub.
+    hub: [P::Scalar; 2],
+    m: P,
+}
+
+impl<P: Vector3> View<P> {
+    fn new(hub: P, ray: &Ray<P>) -> Self {
+        let sheared = ShearedRay::new(ray);
+        let [x, y, _] = sheared.sheared(hub);
+        Self {
+            ray: *ray,
+            to_hub: hub.minus(ray.origin),
+            hub: [x, y],
+            m: sheared.moment([x, y]),
+            sheared,
+        }
     }
-    let outer = ray
-        .direction
-        .cross(to_hub.plus(first))
-        .dot(second.minus(first));
-    let is_inside = is_front && outer <= zero || is_back && outer >= zero;
-    let sum = outer - after + before;
-    let n = first.cross(second);
-    let along = ray.direction.dot(n);
-    if !is_inside || sum.is_zero() || along.is_zero() {
-        return None;
+
+    /// The side of the spoke that the ray passes on.
+    #[inline]
+    fn side_of(&self, spoke: P) -> P::Scalar {
+        self.m.dot(spoke)
     }
-    let t = to_hub.dot(n) / along;
-    facet_hit(ray, t, [-after / sum, before / sum], side_along(sum))
+
+    /// The hit with the triangle between two spokes whose sides are known.
+    #[inline]
+    fn between(
+        &self,
+        [first, second]: [P; 2],
+        [before, after]: [P::Scalar; 2],
+    ) -> Option<FacetHit<P::Scalar>> {
+        let zero = P::Scalar::zero();
+        let is_front = before <= zero && after >= zero;
+        let is_back = before >= zero && after <= zero;
+        if !(is_front || is_back) {
+            return None;
+        }
+        let [x, y, _] = self.sheared.sheared_vector(first);
+        let [rim_x, rim_y, _] = self.sheared.sheared_vector(second.minus(first));
+        let outer = (self.hub[0] + x) * rim_y - (self.hub[1] + y) * rim_x;
+        let is_inside = is_front && outer <= zero || is_back && outer >= zero;
+        let sum = outer - after + before;
+        let n = first.cross(second);
+        let along = self.ray.direction.dot(n);
+        if !is_inside || sum.is_zero() || along.is_zero() {
+            return None;
+        }
+        let t = self.to_hub.dot(n) / along;
+        facet_hit(&self.ray, t, [-after / sum, before / sum], side_along(sum))
+    }
 }

@@ -16,7 +16,7 @@ use crate::ray::Ray;
 ///
 /// The determinant is compared with zero and with no threshold: it scales with the triangle's area and the direction's length, so that any
 /// fixed threshold refuses small triangles (hard case `fixed_threshold_refuses_needles_and_small_triangles`). Coordinates beyond about
-/// 1e±75 in `f64` and 1e±9 in `f32` overflow or underflow in the products of four: [`prescaled`](super::prescaled) cures that.
+/// 1e±100 in `f64` and 1e±12 in `f32` overflow or underflow in the products of three: [`prescaled`](super::prescaled) cures that.
 ///
 /// # Cost
 ///

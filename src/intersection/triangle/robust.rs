@@ -24,7 +24,7 @@ const UNIT: f64 = f64::EPSILON / 2.0;
 /// # Accuracy
 ///
 /// t has a relative error of at most 2⁻²⁶, usually a few unit roundoffs, and comes with its own bound in
-/// [`Triangle`](super::Triangle). A parameter has an error of at most 2⁻¹⁹. Over `f32` the computation runs in `f64`, and rounds at the end.
+/// [`Triangle`](super::Triangle). A parameter has an error of at most 2⁻¹⁸. Over `f32` the computation runs in `f64`, and rounds at the end.
 ///
 /// # Cost
 ///
@@ -62,7 +62,7 @@ pub(super) struct Crossing {
     pub t: f64,
     /// A bound on the error of t.
     pub t_error: f64,
-    /// The weights of b and c: not negative, with a sum that exceeds 1 by rounding at most, and errors below 2⁻¹⁹.
+    /// The weights of b and c: not negative, with a sum that exceeds 1 by rounding at most, and errors below 2⁻¹⁸.
     pub parameters: [f64; 2],
     pub side: Side,
 }

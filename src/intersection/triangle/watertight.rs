@@ -67,12 +67,28 @@ impl<P: Vector3> ShearedRay<P> {
     /// A point in the sheared space, where the ray is the z axis: its distance from the ray in x and y, its depth along it in z.
     #[inline]
     pub fn sheared(&self, point: P) -> [P::Scalar; 3] {
-        let point = point.minus(self.ray.origin);
-        let [x, y, z] = self.axes.map(|axis| point.coordinate(axis));
+        self.sheared_vector(point.minus(self.ray.origin))
+    }
+
+    /// The same of a difference of two points.
+    #[inline]
+    pub(in crate::intersection) fn sheared_vector(&self, vector: P) -> [P::Scalar; 3] {
+        let [x, y, z] = self.axes.map(|axis| vector.coordinate(axis));
         let [along_x, along_y, along_z] = self.shear;
         [x - along_x * z, y - along_y * z, along_z * z]
     }
     // ANCHOR_END: shear
+
+    /// The vector m with `m · p = x q_y − y q_x` for every p whose sheared coordinates are q: perpendicular to the ray up to a roundoff of its own
+    /// length, however short it is.
+    #[inline]
+    pub(in crate::intersection) fn moment(&self, [x, y]: [P::Scalar; 2]) -> P {
+        let mut moment = [P::Scalar::zero(); 3];
+        moment[self.axes[0]] = -y;
+        moment[self.axes[1]] = x;
+        moment[self.axes[2]] = y * self.shear[0] - x * self.shear[1];
+        P::from_coordinates(moment)
+    }
 
     /// The hit with a triangle, as [`watertight`] gives it.
     #[inline]

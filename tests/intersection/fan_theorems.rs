@@ -1,0 +1,171 @@
+//! The theorems of triangle fans.
+
+use facette::algebra::{Real, VectorSpace};
+use facette::intersection::fan::{Fan, FanError};
+use facette::intersection::triangle::{
+    half_planes, moller_trumbore, strict_half_planes, watertight,
+};
+use facette::ray::Ray;
+use proptest::collection::vec;
+use proptest::prelude::*;
+
+use crate::common::exact::{Exact, fraction};
+use crate::common::generators::{parameter, point};
+use crate::common::law::{Law, expect_equal};
+use crate::suspects;
+use crate::triangle_inputs::{Point, Test, at_weights};
+use crate::triangle_meshes::Dice;
+
+/// A hub, a rim, an origin, and where to aim: weights on one triangle.
+type Place = (Point, Vec<Point>, Point, usize, [Exact; 2]);
+
+fn fans(weights: impl Strategy<Value = [Exact; 2]>) -> impl Strategy<Value = Place> {
+    (point(), vec(point(), 3..=6), point(), 0..6_usize, weights)
+}
+
+fn inside() -> impl Strategy<Value = [Exact; 2]> {
+    [parameter(), parameter()].prop_map(|[v, w]| [v, w * (fraction(1, 1) - v)])
+}
+
+/// At the hub, on the spokes, at the rim.
+fn on_spokes() -> impl Strategy<Value = [Exact; 2]> {
+    (parameter(), 0..4_usize).prop_map(|(t, kind)| {
+        let [zero, one] = [0, 1].map(|x| fraction(x, 1));
+        [[zero, zero], [t, zero], [zero, t], [t, one - t]][kind]
+    })
+}
+
+/// **A fan is its triangles.** The nearest hit of a fan is the nearest among those of its triangles, and the first of them where several are met at the same $t$; so for open fans and for closed ones.
+///
+/// The triangle between two spokes has three edges. The ray passes a spoke on the side $s_i=\mathbf m\cdot(\mathbf p_i-\mathbf h)$ with $\mathbf m=\mathbf d\times(\mathbf h-\mathbf o)$ over the longest coordinate of $\mathbf d$, one scalar product each; $s_i$ and $-s_{i+1}$ are the weights of $\mathbf p_{i+1}$ and $\mathbf p_i$,
+/// times $\mathbf d\cdot\mathbf n$.
+///
+/// Course: R10, slide 101, Ray and triangle: Galin and Akkouche's fans.
+#[test]
+fn fan_is_its_triangles() {
+    let law = Law::new("intersection::fan_is_its_triangles", suspects::library);
+    law.on_cases(256).holds(
+        fans(inside()),
+        fans(on_spokes()),
+        |(hub, rim, o, which, weights)| {
+            let mut closed = rim.clone();
+            closed.push(rim[0]);
+            let target = which % rim.len();
+            let corners = [*hub, closed[target], closed[target + 1]];
+            let ray = Ray::new(*o, at_weights(corners, *weights).minus(*o));
+            let fan = Fan::closed(*hub, rim.clone()).expect("finite points");
+            expect_equal(
+                &nearest(*hub, &closed, &ray),
+                &fan.intersect(&ray).map(|hit| (hit.triangle, hit.facet)),
+            )?;
+            let fan = Fan::open(*hub, rim.clone()).expect("finite points");
+            expect_equal(
+                &nearest(*hub, rim, &ray),
+                &fan.intersect(&ray).map(|hit| (hit.triangle, hit.facet)),
+            )
+        },
+    );
+}
+
+type Numbered = (usize, facette::intersection::FacetHit<Exact>);
+
+fn nearest(hub: Point, rim: &[Point], ray: &Ray<Point>) -> Option<Numbered> {
+    let mut nearest: Option<Numbered> = None;
+    for (index, side) in rim.windows(2).enumerate() {
+        let hit = moller_trumbore(&[hub, side[0], side[1]], ray);
+        if let Some(hit) = hit
+            && nearest.is_none_or(|(_, nearest)| hit.t < nearest.t)
+        {
+            nearest = Some((index, hit));
+        }
+    }
+    nearest
+}
+
+/// A fan seen from above, and a ray at its hub or at a point of a spoke.
+fn fan_and_ray<S: Real>(dice: &mut Dice) -> ([S; 3], Vec<[S; 3]>, Ray<[S; 3]>) {
+    let hub = dice.vector().times(0.1);
+    let count = 5 + dice.index(8);
+    let rim: Vec<[f64; 3]> = (0..count)
+        .map(|index| {
+            let angle = std::f64::consts::TAU * (index as f64 + 0.4 * dice.roll()) / count as f64;
+            [angle.cos(), angle.sin(), 0.3 * dice.roll()]
+        })
+        .collect();
+    let along = if dice.index(2) == 0 {
+        0.0
+    } else {
+        0.25 + 0.25 * dice.roll()
+    };
+    let target = hub.lerp(rim[dice.index(count)], along);
+    let origin = [dice.roll(), dice.roll(), 3.0 + dice.roll()];
+    let [hub, origin, direction] = [hub, origin, target.minus(origin)].map(|p| p.map(S::from_f64));
+    let rim = rim.into_iter().map(|p| p.map(S::from_f64)).collect();
+    (hub, rim, Ray::new(origin, direction))
+}
+
+/// How many of the rays that are aimed at hubs and spokes of fans meet none of their triangles.
+fn lost<S: Real>(count: usize, test: Option<Test<[S; 3], S>>) -> usize {
+    let mut dice = Dice::new(7);
+    let rays = (0..count).map(|_| fan_and_ray::<S>(&mut dice));
+    rays.filter(|(hub, rim, ray)| {
+        let Some(test) = test else {
+            let fan = Fan::closed(*hub, rim.clone()).expect("finite points");
+            return fan.intersect(ray).is_none();
+        };
+        (0..rim.len()).all(|i| test(&[*hub, rim[i], rim[(i + 1) % rim.len()]], ray).is_none())
+    })
+    .count()
+}
+
+/// **A fan loses no ray inside.** Rays at the hub and the spokes of 100 000 fans all hit, in `f32` and in `f64`.
+///
+/// All spokes are multiplied with the same computed vector $\mathbf m$, which is perpendicular to the ray up to a roundoff of its own length, however short it is. Around a hub that the ray meets, $\mathbf m$ is nothing but rounding; still, spokes that
+/// surround the ray lie on both sides of it, and going once around, the products change their sign from $\le0$ to $\ge0$ somewhere. Since each product serves both triangles at its spoke, there is one with $s_i\le0\le s_{i+1}$.
+#[test]
+fn fan_loses_no_ray_inside() {
+    assert_eq!(lost::<f64>(100_000, None), 0);
+    assert_eq!(lost::<f32>(100_000, None), 0);
+}
+
+/// **Fans lose rays where edges are not shared.** Sixty fans and a ray at the hub or at a spoke of each: Möller and Trumbore's test and the half-planes lose some of them, in `f64`. The watertight test and the fan itself lose none.
+#[test]
+fn fans_lose_rays_where_edges_are_not_shared() {
+    let counts = [moller_trumbore, half_planes, strict_half_planes, watertight]
+        .map(|test| lost::<f64>(60, Some(test)));
+    println!(
+        "of 60 rays: {counts:?} lost by Möller-Trumbore, closed, open half-planes, watertight"
+    );
+    let [moller_trumbore, closed, open, watertight] = counts;
+    assert!(moller_trumbore >= 1 && closed >= 1 && open >= 10);
+    assert_eq!((watertight, lost::<f64>(60, None)), (0, 0));
+}
+
+/// **What is no fan is refused.** A rim that is too short, and points that are not finite or too far apart: the message says which.
+#[test]
+fn unusable_fans_are_refused() {
+    let o = [0.0; 3];
+    let short = Fan::open(o, [[1.0, 0.0, 0.0]]);
+    assert_eq!(
+        short,
+        Err(FanError::RimTooShort {
+            found: 1,
+            needed: 2
+        })
+    );
+    let short = Fan::closed(o, [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]).expect_err("two points");
+    assert_eq!(
+        short.to_string(),
+        "the rim has 2 points: a fan needs at least 3"
+    );
+    let bad = Fan::open(o, [[1.0, 0.0, 0.0], [f64::NAN, 0.0, 0.0]]).expect_err("NaN");
+    assert!(
+        bad.to_string()
+            .starts_with("point 1 of the rim is [NaN, 0.0, 0.0]"),
+        "{bad}"
+    );
+    let far = Fan::open([-1e308, 0.0, 0.0], [[1e308, 0.0, 0.0]; 2]).expect_err("too far");
+    assert!(matches!(far, FanError::NotFinite { index: 0, .. }), "{far}");
+    let fan = Fan::open(o, [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]).expect("one triangle");
+    assert_eq!(fan.triangle_count(), 1);
+}

@@ -1,0 +1,130 @@
+//! Closed meshes, and rays from their inside at edges and corners: the same in every run.
+
+use facette::algebra::{Real, Vector3, VectorSpace};
+use facette::ray::Ray;
+
+use crate::triangle_inputs::Test;
+
+/// Pseudo-random numbers between −1 and 1 (Knuth's 64-bit linear congruence, upper bits).
+pub struct Dice(u64);
+
+impl Dice {
+    pub fn new(seed: u64) -> Self {
+        Self(seed)
+    }
+
+    pub fn roll(&mut self) -> f64 {
+        self.0 = self
+            .0
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
+    }
+
+    pub fn vector(&mut self) -> [f64; 3] {
+        [self.roll(), self.roll(), self.roll()]
+    }
+
+    /// A number below `count`.
+    pub fn index(&mut self, count: usize) -> usize {
+        let share = (self.roll() + 1.0) / 2.0;
+        ((share * count as f64) as usize).min(count - 1)
+    }
+}
+
+/// A closed mesh, star-shaped round its centre.
+pub struct Ball {
+    pub centre: [f64; 3],
+    pub positions: Vec<[f64; 3]>,
+    pub faces: Vec<[usize; 3]>,
+}
+
+impl Ball {
+    /// An octahedron cut twice into four, its 66 corners moved at random, of radius about `size`.
+    pub fn rough(size: f64, centre: [f64; 3], dice: &mut Dice) -> Self {
+        let mut ball = Self::octahedron();
+        for _ in 0..2 {
+            ball = ball.cut();
+        }
+        for position in &mut ball.positions {
+            let length = position.dot(*position).sqrt();
+            let rough = position.times(1.0 / length).plus(dice.vector().times(0.05));
+            *position = centre.plus(rough.times(size));
+        }
+        Self { centre, ..ball }
+    }
+
+    /// An octahedron with corners at small integers: rays at them and at its edges meet them exactly.
+    pub fn octahedron() -> Self {
+        let mut positions = Vec::new();
+        for axis in 0..3 {
+            for sign in [4.0, -4.0] {
+                let mut position = [0.0; 3];
+                position[axis] = sign;
+                positions.push(position);
+            }
+        }
+        let mut faces = Vec::new();
+        for octant in 0..8_usize {
+            let [x, y, z] = [octant & 1, 2 + (octant >> 1 & 1), 4 + (octant >> 2)];
+            let is_turned = octant.count_ones() % 2 == 1;
+            faces.push(if is_turned { [x, z, y] } else { [x, y, z] });
+        }
+        Self {
+            centre: [0.0; 3],
+            positions,
+            faces,
+        }
+    }
+
+    /// Every face cut into four at the middles of its edges.
+    fn cut(&self) -> Self {
+        let mut positions = self.positions.clone();
+        let mut middle = |a: usize, b: usize| {
+            let point = positions[a].plus(positions[b]).times(0.5);
+            let found = positions.iter().position(|&position| position == point);
+            found.unwrap_or_else(|| {
+                positions.push(point);
+                positions.len() - 1
+            })
+        };
+        let mut faces = Vec::new();
+        for &[a, b, c] in &self.faces {
+            let [ab, bc, ca] = [middle(a, b), middle(b, c), middle(c, a)];
+            faces.extend([[a, ab, ca], [ab, b, bc], [ca, bc, c], [ab, bc, ca]]);
+        }
+        Self {
+            centre: self.centre,
+            positions,
+            faces,
+        }
+    }
+
+    pub fn corners<S: Real>(&self, face: usize) -> [[S; 3]; 3] {
+        self.faces[face].map(|corner| self.positions[corner].map(S::from_f64))
+    }
+
+    /// A ray from near the centre at a corner, or at a point of an edge, of the face that it comes with.
+    pub fn ray_at_the_border<S: Real>(&self, size: f64, dice: &mut Dice) -> (usize, Ray<[S; 3]>) {
+        let face = dice.index(self.faces.len());
+        let [a, b, _] = self.corners::<S>(face);
+        let along = match dice.index(4) {
+            0 => 0.0,
+            1 => (dice.roll() + 1.0) / 2.0,
+            2 => 0.5,
+            _ => 0.25,
+        };
+        let target = a.plus(b.minus(a).times(S::from_f64(along)));
+        let origin = self
+            .centre
+            .plus(dice.vector().times(0.25 * size))
+            .map(S::from_f64);
+        (face, Ray::new(origin, target.minus(origin)))
+    }
+
+    /// Whether the ray meets a face, `first` being asked before the others.
+    pub fn stops<S: Real>(&self, first: usize, ray: &Ray<[S; 3]>, test: Test<[S; 3], S>) -> bool {
+        let count = self.faces.len();
+        (0..count).any(|step| test(&self.corners((first + step) % count), ray).is_some())
+    }
+}
