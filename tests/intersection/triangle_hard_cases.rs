@@ -205,6 +205,9 @@ fn triangle_without_area_is_never_hit() {
             .chain(pairs)
         {
             let is_pair = pairs.contains(&corners);
+            let is_stored = ShevtsovTriangle::new(&corners).is_some()
+                || BaldwinWeberTriangle::new(&corners).is_some();
+            assert!(!(is_pair && is_stored));
             for target in [a, b, on_the_way] {
                 let origin = [-1.0, 0.5, 0.25];
                 let ray = Ray::new(origin, target.minus(origin));

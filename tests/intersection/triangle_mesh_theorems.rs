@@ -91,7 +91,7 @@ fn rays_from_inside_hit_the_mesh() {
             let ray = Ray::new(origin, direction);
             assert!(ball.stops(0, &ray, watertight), "{ray:?}");
             assert!(ball.stops(0, &ray, robust), "{ray:?}");
-            let ray = Ray::new(origin.map(|x| x as f32), direction.map(|x| x as f32));
+            let ray = Ray::new(origin.map(f32::from_f64), direction.map(f32::from_f64));
             assert!(ball.stops(0, &ray, watertight), "{ray:?}");
             assert!(ball.stops(0, &ray, robust), "{ray:?}");
         }

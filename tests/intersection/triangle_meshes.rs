@@ -26,8 +26,13 @@ impl Dice {
     }
 
     /// A number below `count`.
+    #[allow(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "a share of a count is one of its numbers"
+    )]
     pub fn index(&mut self, count: usize) -> usize {
-        let share = (self.roll() + 1.0) / 2.0;
+        let share = self.roll().midpoint(1.0);
         ((share * count as f64) as usize).min(count - 1)
     }
 }
@@ -110,7 +115,7 @@ impl Ball {
         let [a, b, _] = self.corners::<S>(face);
         let along = match dice.index(4) {
             0 => 0.0,
-            1 => (dice.roll() + 1.0) / 2.0,
+            1 => dice.roll().midpoint(1.0),
             2 => 0.5,
             _ => 0.25,
         };

@@ -12,11 +12,11 @@ use proptest::prelude::*;
 use crate::common::exact::{Exact, fraction};
 use crate::common::generators::{parameter, point};
 use crate::common::law::{Broken, Law, Verdict, expect_equal};
-use crate::{suspects, triangle_suspects};
 use crate::triangle_inputs::{
     Place, Point, at_weights, closed_tests, expected, hard_places, motions, places, signed_tests,
     solved, turned,
 };
+use crate::{suspects, triangle_suspects};
 
 fn on_places(theorem: &'static str, check: impl Fn(&Place) -> Verdict) {
     Law::new(theorem, triangle_suspects::triangle)
@@ -239,19 +239,21 @@ fn turning_the_corners_turns_the_weights() {
 #[test]
 fn triangle_hits_are_invariant_under_rigid_motions() {
     let theorem = "intersection::triangle_hits_are_invariant_under_rigid_motions";
-    Law::new(theorem, triangle_suspects::triangle).on_cases(128).holds(
-        (places(), motions()),
-        (hard_places(), motions()),
-        |(place, (quaternion, shift))| {
-            let turn = |p: Point| turned(*quaternion, p);
-            let moved = place.mapped(|p| turn(p).plus(*shift), turn);
-            for (name, test) in signed_tests::<Point>() {
-                let hit = test(&place.corners, &place.ray());
-                expect_named(name, &hit, &test(&moved.corners, &moved.ray()))?;
-            }
-            Ok(())
-        },
-    );
+    Law::new(theorem, triangle_suspects::triangle)
+        .on_cases(128)
+        .holds(
+            (places(), motions()),
+            (hard_places(), motions()),
+            |(place, (quaternion, shift))| {
+                let turn = |p: Point| turned(*quaternion, p);
+                let moved = place.mapped(|p| turn(p).plus(*shift), turn);
+                for (name, test) in signed_tests::<Point>() {
+                    let hit = test(&place.corners, &place.ray());
+                    expect_named(name, &hit, &test(&moved.corners, &moved.ray()))?;
+                }
+                Ok(())
+            },
+        );
 }
 
 /// **Scaling the direction scales t.** With the direction $s\,\mathbf d$, $s>0$, the hit is at $t/s$: the point stays, and so do the weights and the side.
@@ -261,21 +263,23 @@ fn triangle_hits_are_invariant_under_rigid_motions() {
 fn scaling_the_direction_scales_t_of_a_triangle() {
     let theorem = "intersection::scaling_the_direction_scales_t_of_a_triangle";
     let factor = || (1..=12_i32, 1..=6_i32).prop_map(|(n, d)| fraction(n, d));
-    Law::new(theorem, triangle_suspects::triangle).on_cases(128).holds(
-        (places(), factor()),
-        (hard_places(), factor()),
-        |(place, factor)| {
-            let scaled = Ray::new(place.origin, place.direction.times(*factor));
-            for (name, test) in signed_tests::<Point>() {
-                let hit = test(&place.corners, &place.ray()).map(|mut hit| {
-                    hit.t = hit.t / *factor;
-                    hit
-                });
-                expect_named(name, &hit, &test(&place.corners, &scaled))?;
-            }
-            Ok(())
-        },
-    );
+    Law::new(theorem, triangle_suspects::triangle)
+        .on_cases(128)
+        .holds(
+            (places(), factor()),
+            (hard_places(), factor()),
+            |(place, factor)| {
+                let scaled = Ray::new(place.origin, place.direction.times(*factor));
+                for (name, test) in signed_tests::<Point>() {
+                    let hit = test(&place.corners, &place.ray()).map(|mut hit| {
+                        hit.t = hit.t / *factor;
+                        hit
+                    });
+                    expect_named(name, &hit, &test(&place.corners, &scaled))?;
+                }
+                Ok(())
+            },
+        );
 }
 
 /// **The interval of t is half-open.** A hit at $t$ belongs to the rays that start before $t$ and end at $t$ or later, and to no other.
