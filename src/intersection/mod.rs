@@ -31,13 +31,13 @@ mod sphere;
 pub mod triangle;
 
 pub use bezier_patch::{BezierPatch, CELL_LIMIT, EDGE_ON, PatchError};
-pub use bounding_box::{BoundingBox, BoxSpan, FaceHit, SlabRay};
+pub use bounding_box::{BoundingBox, BoxSpan, FaceHit, SlabRay, box_interval};
 pub use error::IntersectionError;
 pub use group::{Group, nearest};
 pub use hit::{FacetHit, Hit, Side};
 pub use offset::{leaving, towards};
 pub use plane::Plane;
-pub use sphere::{Sphere, roots_by_projection, roots_by_quadratic};
+pub use sphere::{Sphere, first_root, roots_by_projection, roots_by_quadratic};
 
 use crate::algebra::{Real, Vector3};
 use crate::ray::Ray;

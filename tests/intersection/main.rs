@@ -5,14 +5,27 @@
 )]
 
 mod bound;
+mod box_error_theorems;
+mod box_inputs;
+mod box_theorems;
 #[path = "../common/mod.rs"]
 mod common;
 mod fan_theorems;
+mod float_boxes;
+mod float_chords;
+mod group_theorems;
 mod hierarchy_oracle;
 mod hierarchy_theorems;
+mod mistakes;
 mod patch_inputs;
 mod patch_oracle;
 mod patch_theorems;
+mod plane_theorems;
+mod roots;
+mod sphere_error_theorems;
+mod sphere_hard_cases;
+mod sphere_inputs;
+mod sphere_theorems;
 mod suspects;
 mod triangle_error_theorems;
 mod triangle_floats;

@@ -2,7 +2,7 @@
 
 mod slabs;
 
-pub use slabs::{BoxSpan, FaceHit, SlabRay};
+pub use slabs::{BoxSpan, FaceHit, SlabRay, box_interval};
 
 use num_traits::One;
 

@@ -128,6 +128,11 @@ impl<S: Scalar> BoxSpan<S> {
     }
 }
 
+/// The parameters `[entry, exit]` between which the ray's whole line is in the box: [`BoundingBox::span`] without the faces.
+pub fn box_interval<P: Vector3>(bounds: &BoundingBox<P>, ray: &Ray<P>) -> Option<[P::Scalar; 2]> {
+    bounds.span(ray).map(|span| [span.entry, span.exit])
+}
+
 /// A ray prepared for many boxes: with the reciprocals of its direction's coordinates.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SlabRay<P: Vector3> {

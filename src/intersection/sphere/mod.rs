@@ -2,7 +2,7 @@
 
 mod roots;
 
-pub use roots::{roots_by_projection, roots_by_quadratic};
+pub use roots::{first_root, roots_by_projection, roots_by_quadratic};
 
 use num_traits::{One, Zero};
 

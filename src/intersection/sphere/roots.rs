@@ -3,6 +3,7 @@
 use num_traits::{One, Zero};
 
 use crate::algebra::{Real, Scalar, Vector3};
+use crate::ray::Ray;
 
 /// The two parameters at which the line `p + t d` meets the sphere of radius r around the origin, by the slides' formula; `None` where it
 /// passes by. A tangent line has both the same.
@@ -54,6 +55,19 @@ where
 {
     Some(Crossing::of(p, d, r)?.roots())
 }
+
+/// The first of two roots, the smaller one given first, in the ray's interval of t: from outside the near one, from inside the far one; `None`
+/// where the sphere lies behind, or beyond the end.
+///
+/// # Source
+///
+/// Slide 95: the nearest of the solutions with t > 0.
+#[inline]
+// ANCHOR: first_root
+pub fn first_root<P: Vector3>(roots: [P::Scalar; 2], ray: &Ray<P>) -> Option<P::Scalar> {
+    roots.into_iter().find(|&t| ray.reaches(t))
+}
+// ANCHOR_END: first_root
 
 /// A line that meets a sphere, with what the error of its parameters depends on.
 pub(super) struct Crossing<P: Vector3> {
