@@ -24,8 +24,9 @@ const ROUNDOFFS_OF_A_FRAME: i32 = 32;
 /// # Accuracy
 ///
 /// However near to the view up may be, the six scalar products are within 20u of 0 and 1 (tested as `frame_is_orthonormal_within_its_bound`).
-/// w is within 5u of its exact value, coordinate by coordinate relatively; u turns about w by at most `8√3 u · m / |up × w|`, where `m` is the largest of
-/// the terms `|a_j b_k| + |a_k b_j|` of the product of the two unit vectors (tested as `right_axis_turns_no_more_than_its_bound`).
+/// w is within 6u of its exact value, coordinate by coordinate relatively; the sine of the angle between u and its exact value is at most
+/// `(8√3 m / |up × w| + 12) u`, where `m` is the largest of the terms `|a_j b_k| + |a_k b_j|` of the product (tested as
+/// `right_axis_turns_no_more_than_its_bound`).
 ///
 /// # Source
 ///

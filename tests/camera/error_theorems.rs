@@ -58,13 +58,13 @@ fn largest_term(a: &[Big; 3], b: &[Big; 3]) -> Big {
     largest(&[term(1, 2), term(2, 0), term(0, 1)])
 }
 
-/// **Orthonormal within 20 roundoffs.** The six scalar products of the computed axes are within $20\mathbf u$ of 0 and 1, in `f32` and `f64`, for an eye and target of any size that does not
-/// overflow, and however near to the view up may be. Where a frame is refused, up and the view are parallel up to $40\mathbf u$.
+/// **Orthonormal within 20 roundoffs.** The six scalar products of the computed axes are within $20\varepsilon$ of 0 and 1, in `f32` and `f64`, for an eye and target of any size that does not
+/// overflow, and however near to the view up may be. Where a frame is refused, up and the view are parallel up to $40\varepsilon$.
 ///
-/// A normalised vector has a length within $3.5\mathbf u$ of 1: $\mathbf w\cdot\mathbf w$ and $\mathbf u\cdot\mathbf u$ are within $7\mathbf u$. The first $\mathbf u'$ leans towards $\mathbf w$ by
-/// $\lvert\mathbf u'\cdot\mathbf w\rvert=k\le\tfrac18$, since at least $32\mathbf u$ of its product are known and the product itself rounds by $2\mathbf u$ of its largest term. Taking $k\mathbf w$ away leaves
-/// $3\mathbf u$ from the computed $k$, $7\mathbf u\,k$ from the length of $\mathbf w$, and $\mathbf u(1+k)$ from product and difference: $5\mathbf u$; normalised once more, with $2\mathbf u$ for the two divisions, at most $8\mathbf u$.
-/// The product $\mathbf v=\mathbf w\times\mathbf u$ rounds by $2\sqrt2\,\mathbf u$ and has the length of its factors: $\mathbf v\cdot\mathbf v$ is within $14\mathbf u+4\sqrt2\,\mathbf u<20\mathbf u$ of 1, and $\mathbf v$ within $3\mathbf u$ of being
+/// A normalised vector has a length within $3.5\varepsilon$ of 1: $\mathbf w\cdot\mathbf w$ and $\mathbf u\cdot\mathbf u$ are within $7\varepsilon$. The first $\mathbf u'$ leans towards $\mathbf w$ by
+/// $\lvert\mathbf u'\cdot\mathbf w\rvert=k\le\tfrac18$, since at least $32\varepsilon$ of its product are known and the product itself rounds by $2\varepsilon$ of its largest term. Taking $k\mathbf w$ away leaves
+/// $3\varepsilon$ from the computed $k$, $7\varepsilon\,k$ from the length of $\mathbf w$, and $\varepsilon(1+k)$ from product and difference: $5\varepsilon$; normalised once more, with $2\varepsilon$ for the two divisions, at most $8\varepsilon$.
+/// The product $\mathbf v=\mathbf w\times\mathbf u$ rounds by $2\sqrt2\,\varepsilon$ and has the length of its factors: $\mathbf v\cdot\mathbf v$ is within $14\varepsilon+4\sqrt2\,\varepsilon<20\varepsilon$ of 1, and $\mathbf v$ within $3\varepsilon$ of being
 /// perpendicular to both.
 #[test]
 fn frame_is_orthonormal_within_its_bound() {
@@ -99,13 +99,13 @@ fn refusal_is_justified<P: FloatPoint>(eye: P, target: P, up: P) -> Verdict {
     expect_equal(&true, &(product <= allowed))
 }
 
-/// **How far the image turns.** The axis $\mathbf w$ is within $6\mathbf u$ of its exact value, coordinate by coordinate relatively. The sine of the angle between the computed axis $\mathbf u$ and the exact one is at most
-/// $\bigl(8\sqrt3\,\frac m{\lVert\mathbf c\rVert}+12\bigr)\mathbf u$, where $\mathbf c=\mathbf{up}\times(\mathbf e-\mathbf c_0)$ is the exact product with the view and $m$ the largest of its terms
+/// **How far the image turns.** The axis $\mathbf w$ is within $6\varepsilon$ of its exact value, coordinate by coordinate relatively. The sine of the angle between the computed axis $\mathbf u$ and the exact one is at most
+/// $\bigl(8\sqrt3\,\frac m{\lVert\mathbf c\rVert}+12\bigr)\varepsilon$, where $\mathbf c=\mathbf{up}\times(\mathbf e-\mathbf c_0)$ is the exact product with the view and $m$ the largest of its terms
 /// $\lvert a_jb_k\rvert+\lvert a_kb_j\rvert$. The quotient is about $1/\sin\varphi$ for an angle $\varphi$ between up and the view: the image turns about its middle by as much as $\varphi$ is small. That is not the fault of the
 /// formula; rounding the data does the same. But for an up along a coordinate axis the quotient stays near 1, as near to the view as it may be.
 ///
-/// The difference $\mathbf e-\mathbf c_0$ rounds by $\mathbf u$, its normalisation by $5\mathbf u$. In the product, each coordinate carries $2\mathbf u$ of up and $3\mathbf u$ of $\mathbf w$ (the common factor does not turn it), $1\mathbf u$ of the products
-/// and $1\mathbf u$ of the difference, so at most $8\mathbf u$ of its term, and the vector $8\sqrt3\,\mathbf u\,m$. To that come $2\mathbf u$ from each normalisation, $5\mathbf u$ from the second orthogonalisation and $3\mathbf u$ since it is to the computed
+/// The difference $\mathbf e-\mathbf c_0$ rounds by $\varepsilon$, its normalisation by $5\varepsilon$. In the product, each coordinate carries $2\varepsilon$ of up and $3\varepsilon$ of $\mathbf w$ (the common factor does not turn it), $1\varepsilon$ of the products
+/// and $1\varepsilon$ of the difference, so at most $8\varepsilon$ of its term, and the vector $8\sqrt3\,\varepsilon\,m$. To that come $2\varepsilon$ from each normalisation, $5\varepsilon$ from the second orthogonalisation and $3\varepsilon$ since it is to the computed
 /// $\mathbf w$.
 #[test]
 fn right_axis_turns_no_more_than_its_bound() {
@@ -155,10 +155,10 @@ fn frame<P: FloatPoint>(view: &FloatView) -> Option<CameraFrame<P>> {
         .ok()
 }
 
-/// **The error of a ray.** For the frame as it is stored, each coordinate of a perspective direction is within $3\mathbf u\,(\lvert u\,\mathbf u_k\rvert+\lvert v\,\mathbf v_k\rvert+\lvert D\,\mathbf w_k\rvert)$ of its exact
-/// value, however far away the eye may be, and each coordinate of an orthographic origin within $3\mathbf u\,(\lvert\mathbf e_k\rvert+\lvert u\,\mathbf u_k\rvert+\lvert v\,\mathbf v_k\rvert)$.
+/// **The error of a ray.** For the frame as it is stored, each coordinate of a perspective direction is within $3\varepsilon\,(\lvert u\,\mathbf u_k\rvert+\lvert v\,\mathbf v_k\rvert+\lvert D\,\mathbf w_k\rvert)$ of its exact
+/// value, however far away the eye may be, and each coordinate of an orthographic origin within $3\varepsilon\,(\lvert\mathbf e_k\rvert+\lvert u\,\mathbf u_k\rvert+\lvert v\,\mathbf v_k\rvert)$.
 ///
-/// Three products round by $\mathbf u$ each of themselves, and go through one or two sums that round by $\mathbf u$ of what they have added so far. The eye takes no part in the direction; an orthographic origin near a far eye cannot be better
+/// Three products round by $\varepsilon$ each of themselves, and go through one or two sums that round by $\varepsilon$ of what they have added so far. The eye takes no part in the direction; an orthographic origin near a far eye cannot be better
 /// than the spacing of the numbers there.
 #[test]
 fn ray_error_stays_below_its_bound() {
@@ -199,9 +199,9 @@ fn no_frame() -> Broken {
     }
 }
 
-/// **The error of a projection.** With the exact coordinates $(x,y,-z)$ of the point in the frame as it is stored, and $\delta_a=4\mathbf u\sum_k\lvert\mathbf a_k\rvert\,\lvert p_k-e_k\rvert$ for an axis $\mathbf a$, the
+/// **The error of a projection.** With the exact coordinates $(x,y,-z)$ of the point in the frame as it is stored, and $\delta_a=4\varepsilon\sum_k\lvert\mathbf a_k\rvert\,\lvert p_k-e_k\rvert$ for an axis $\mathbf a$, the
 /// orthographic place is within $\delta_u$ and $\delta_v$, and the perspective $u$ within
-/// $$D\,\frac{\delta_u+\delta_w\lvert x/z\rvert}{z-\delta_w}+3\mathbf u\,\lvert u\rvert,$$
+/// $$D\,\frac{\delta_u+\delta_w\lvert x/z\rvert}{z-\delta_w}+3\varepsilon\,\lvert u\rvert,$$
 /// if $z>\delta_w$. Nearer to the plane of the eye, not even the sign of the depth is known.
 ///
 /// A coordinate is a sum of three products of a difference: four roundings on each. The quotient of two numbers that are off by $\delta_u$ and $\delta_w$ is off by as much as the fraction says, and rounds twice.

@@ -26,7 +26,7 @@ fn largest_overlap(axes: [[f32; 3]; 3]) -> f64 {
 }
 
 /// **Up near the view.** When up is nearly parallel to the view, the product $\mathbf{up}\times\mathbf w$ is small, and what rounding adds to it need not be perpendicular to $\mathbf w$. At an angle of about $10^{-5}$ the
-/// textbook's axes in `f32` miss being orthogonal by more than 100 times the bound of $20\mathbf u$: pictures are sheared. Orthogonalised once more, the axes stay within it.
+/// textbook's axes in `f32` miss being orthogonal by more than 100 times the bound of $20\varepsilon$: pictures are sheared. Orthogonalised once more, the axes stay within it.
 #[test]
 fn up_near_the_view_needs_a_second_orthogonalisation() {
     let (eye, target): ([f32; 3], _) = ([0.3, 0.2, 0.7], [1.4, -0.5, 2.6]);

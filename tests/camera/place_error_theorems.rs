@@ -47,10 +47,10 @@ fn rectangle<P: FloatPoint>(low: f64, extent: f64) -> ImageRectangle<P::Scalar> 
     ImageRectangle::new(low, high, low, high).expect("an extent")
 }
 
-/// **The error of a place.** In floating point, the $u$ of a pixel's centre is within $6\mathbf u\cdot M$ of its exact value, and that of any other place in the pixel within $8\mathbf u\cdot M$, with $M=\max(\lvert l\rvert,\lvert r\rvert)$; so is $v$.
+/// **The error of a place.** In floating point, the $u$ of a pixel's centre is within $6\varepsilon\cdot M$ of its exact value, and that of any other place in the pixel within $8\varepsilon\cdot M$, with $M=\max(\lvert l\rvert,\lvert r\rvert)$; so is $v$.
 ///
 /// The number $i+\tfrac12$ needs no rounding up to $2^{23}$ pixels; another $i+x$ rounds once, and both once in the quotient $s$. The interpolation $(1-s)\,l+s\,r$ turns that into
-/// $\mathbf u\lvert r-l\rvert\le2\mathbf u\cdot M$ each, and rounds by $3\mathbf u\cdot M$ itself: 5, or 7, and one more for all terms in $\mathbf u^2$.
+/// $\varepsilon\lvert r-l\rvert\le2\varepsilon\cdot M$ each, and rounds by $3\varepsilon\cdot M$ itself: 5, or 7, and one more for all terms in $\varepsilon^2$.
 #[test]
 fn pixel_place_error_stays_below_its_bound() {
     let bounds = [Bound::default(), Bound::default()];
@@ -141,9 +141,9 @@ fn borders<P: FloatPoint>(&(low, extent, count, part, _): &Side) -> Verdict {
     expect_equal(&sample(index, one), &sample(index + 1, zero))
 }
 
-/// **The error of the field of view.** The half extent $D\tan\tfrac\theta2$ has a relative error of at most $6\mathbf u$ for every angle strictly between 0 and $\pi$, if sine and cosine are within an ulp ($2\mathbf u$).
+/// **The error of the field of view.** The half extent $D\tan\tfrac\theta2$ has a relative error of at most $6\varepsilon$ for every angle strictly between 0 and $\pi$, if sine and cosine are within an ulp ($2\varepsilon$).
 ///
-/// Half of the angle is exact; sine and cosine err by $2\mathbf u$ each, and the quotient and the product round. Near $\pi$ the result is as sensitive to the *given* angle as $\theta/\sin\theta$ says, but that error is in the data.
+/// Half of the angle is exact; sine and cosine err by $2\varepsilon$ each, and the quotient and the product round. Near $\pi$ the result is as sensitive to the *given* angle as $\theta/\sin\theta$ says, but that error is in the data.
 #[test]
 fn half_extent_error_stays_below_its_bound() {
     let bounds = [Bound::default(), Bound::default()];
