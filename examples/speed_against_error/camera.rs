@@ -1,9 +1,7 @@
 //! The variants of the chapter *camera*: the directions of the rays of an image, and the frame.
 
 use facette::algebra::{Real, Scalar, Vector3};
-use facette::camera::{
-    Camera, CameraFrame, ImageRectangle, ImageSize, Pixel, look_at_axes, pixel_centre,
-};
+use facette::camera::{Camera, CameraFrame, ImageRectangle, ImageSize, Pixel, look_at_axes};
 use facette::ray::Ray;
 use glam::{DVec3, Vec3A};
 use num_traits::Signed;
@@ -12,7 +10,7 @@ use crate::Visitor;
 use crate::common::oracle::{Big, big, big_point};
 use crate::float_inputs::{FloatPoint, coordinates, rounded};
 use crate::harness::{Comparison, Effort, Exact, ExactPoint, lazily};
-use variants::{AddedRow, RowOfRays, SteppedRow, ray_through_s, slides_place, textbook_axes};
+use variants::{AddedRow, SteppedRow, ray_through_s, slides_place, textbook_axes};
 
 #[path = "../../tests/camera/variants.rs"]
 mod variants;
@@ -94,7 +92,11 @@ impl<P: CameraPoint> Image<P> {
 
     fn through_s(&self) -> impl FnMut(&mut [P]) {
         let half = [P::Scalar::ratio(1, 2); 2];
-        let Self { camera, distance, size } = self;
+        let Self {
+            camera,
+            distance,
+            size,
+        } = self;
         self.fill(
             |_, row| row,
             move |&mut row, column| {
@@ -114,7 +116,7 @@ impl<P: CameraPoint> Image<P> {
 
     fn row_by_row(&self) -> impl FnMut(&mut [P]) {
         self.fill(
-            |image, row| RowOfRays::new(&image.camera, image.distance, image.size, row),
+            |image, row| image.camera.row(image.size, row),
             |row, column| row.ray(column),
         )
     }
@@ -141,8 +143,11 @@ impl<P: CameraPoint> Image<P> {
         let [r, t] = [rectangle.right(), rectangle.top()].map(number);
         let axes = self.camera.frame().axes();
         let [x, y, z] = axes.map(|axis| big_point(coordinates(axis)));
-        let part = |index: u32, count: u32| big(f64::from(2 * index + 1)) / big(f64::from(2 * count));
-        let rows = self.rows().flat_map(|row| self.columns().map(move |column| (row, column)));
+        let part =
+            |index: u32, count: u32| big(f64::from(2 * index + 1)) / big(f64::from(2 * count));
+        let rows = self
+            .rows()
+            .flat_map(|row| self.columns().map(move |column| (row, column)));
         rows.map(|(row, column)| {
             let u = &l + (&r - &l) * part(column, self.size.columns());
             let v = &b + (&t - &b) * part(row, self.size.rows());
@@ -206,7 +211,10 @@ fn views<P: CameraPoint>(lean: f64, count: usize) -> Vec<[P; 3]> {
 
 /// One frame, three axes.
 fn frames(name: &'static str, lean: f64, count: usize, visitor: &mut Visitor<'_>) {
-    let (f64, f32) = (views::<[f64; 3]>(lean, count), views::<[f32; 3]>(lean, count));
+    let (f64, f32) = (
+        views::<[f64; 3]>(lean, count),
+        views::<[f32; 3]>(lean, count),
+    );
     let vec3a = views::<Vec3A>(lean, count);
     let [wide, narrow]: [Exact<'_>; 2] =
         [lazily(|| exact_frames(&f64)), lazily(|| exact_frames(&f32))];
@@ -254,7 +262,10 @@ fn cross(a: &ExactPoint, b: &ExactPoint) -> ExactPoint {
 
 /// The unit vector to 60 digits, which is exact enough to measure errors of the sixteenth.
 fn unit(vector: &ExactPoint) -> ExactPoint {
-    let square: Big = vector.iter().map(|coordinate| coordinate * coordinate).sum();
+    let square: Big = vector
+        .iter()
+        .map(|coordinate| coordinate * coordinate)
+        .sum();
     let length = square_root(&square);
     std::array::from_fn(|k| shortened(&(&vector[k] / &length)))
 }

@@ -15,6 +15,7 @@ use report::Peers;
 
 mod answers;
 mod bspline;
+mod camera;
 #[path = "../../tests/common/mod.rs"]
 #[allow(
     unused_imports,
@@ -47,6 +48,10 @@ const CHAPTERS: &[Chapter] = &[
     Chapter {
         name: "bspline",
         visit: bspline::visit,
+    },
+    Chapter {
+        name: "camera",
+        visit: camera::visit,
     },
     Chapter {
         name: "intersection",

@@ -39,6 +39,7 @@ mod error;
 mod frame;
 mod image;
 mod lens;
+mod row;
 
 pub use error::{CameraError, ImageSizeError};
 pub use frame::{CameraFrame, look_at_axes};
@@ -49,3 +50,4 @@ pub use lens::{
     Camera, Projection, orthographic_ray, perspective_ray, project_orthographic,
     project_perspective,
 };
+pub use row::CameraRow;

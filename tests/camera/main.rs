@@ -18,5 +18,6 @@ mod place_error_theorems;
 mod projection_theorems;
 mod ray_theorems;
 mod refusal_hard_cases;
+mod snapshots;
 mod suspects;
 mod variants;

@@ -7,7 +7,6 @@
 //! | [`plain_unit_vector`] | neither huge nor tiny coordinates | the textbook's normalisation |
 //! | [`ray_through_s`] | not an eye far from the origin | the slides' `d = s − e` |
 //! | [`slides_place`] | not the last border: it may miss it by an ulp | the slides' `l + (r − l) (i + ½) / n` |
-//! | [`RowOfRays`] | all: the library's bits | what is the same for a row is computed once |
 //! | [`SteppedRow`] | within its bound: the start plus i steps | two vectors for a row, one product and sum for a pixel |
 //! | [`AddedRow`] | not long rows: the error grows with the column | no product for a pixel, only a sum |
 #![allow(
@@ -64,41 +63,6 @@ pub fn slides_place<S: Scalar>(
         rectangle.left() + rectangle.width() * (number(pixel.column) + x) / number(size.columns()),
         rectangle.bottom() + rectangle.height() * (number(pixel.row) + y) / number(size.rows()),
     ]
-}
-
-/// The rays of a row with what the row has in common computed once: the library's operations in the library's order.
-#[derive(Clone, Copy)]
-pub struct RowOfRays<P: Vector3> {
-    rectangle: ImageRectangle<P::Scalar>,
-    columns: P::Scalar,
-    eye: P,
-    right: P,
-    row: P,
-}
-
-impl<P: Vector3> RowOfRays<P> {
-    /// The row of a perspective camera with its image plane at `distance`.
-    pub fn new(camera: &Camera<P>, distance: P::Scalar, size: ImageSize, row: u32) -> Self {
-        let [right, up, back] = camera.frame().axes();
-        let [_, v] = pixel_centre(camera.rectangle(), size, Pixel { column: 0, row });
-        Self {
-            rectangle: *camera.rectangle(),
-            columns: P::Scalar::from_i32(size.columns().cast_signed()),
-            eye: camera.frame().eye(),
-            right,
-            row: up.times(v).minus(back.times(distance)),
-        }
-    }
-
-    /// The ray of a pixel of the row.
-    #[inline]
-    pub fn ray(&self, column: u32) -> Ray<P> {
-        let one = P::Scalar::one();
-        let index = P::Scalar::from_i32(column.cast_signed());
-        let across = (index + P::Scalar::ratio(1, 2)) / self.columns;
-        let u = self.rectangle.left() * (one - across) + self.rectangle.right() * across;
-        Ray::new(self.eye, self.row.plus(self.right.times(u)))
-    }
 }
 
 /// The rays of a row as `start + i · step`: the vectors of the first pixel and from one pixel to the next.

@@ -4,6 +4,8 @@ use crate::figures::ChapterFigures;
 
 #[path = "../../../examples/bspline/figures.rs"]
 mod bspline;
+#[path = "../../../examples/camera/figures.rs"]
+mod camera;
 #[path = "../../../examples/coons/figures.rs"]
 mod coons;
 #[path = "../../../examples/tessellation/figures.rs"]
@@ -22,5 +24,9 @@ pub const CHAPTERS: &[ChapterFigures] = &[
     ChapterFigures {
         chapter: "tessellation",
         figures: tessellation::FIGURES,
+    },
+    ChapterFigures {
+        chapter: "camera",
+        figures: camera::FIGURES,
     },
 ];
