@@ -21,6 +21,8 @@ mod patch_inputs;
 mod patch_oracle;
 mod patch_theorems;
 mod plane_theorems;
+mod quadrilateral_inputs;
+mod quadrilateral_theorems;
 mod roots;
 mod sphere_error_theorems;
 mod sphere_hard_cases;
