@@ -177,7 +177,7 @@ fn integer_offset_knows_nothing_of_the_error() {
     }
     println!("{acne} of {of} meet the large sphere again, {ours} by the bound");
     assert!(
-        of >= POINTS - 10 && 20 * acne >= of && ours == 0,
+        of >= POINTS - 10 && 5 * acne >= of && ours == 0,
         "{acne} and {ours} of {of}"
     );
 }
@@ -243,7 +243,7 @@ fn odd_departures_are_defined() {
     }
 }
 
-/// **A million points.** The same count for a hundred thousand points a scale on a sphere and a triangle: 1.2 million rays in double precision and as many in single, none of which meets what it leaves.
+/// **A million points.** The same count for a hundred thousand points a scale on a sphere and a triangle: 1.2 million rays in double precision and nearly as many in single (at $10^7$ some of its spheres and triangles vanish), none of which meets what it leaves.
 #[test]
 #[ignore = "takes a minute: the count of the report"]
 fn million_rays_leave_without_meeting_their_facet() {
@@ -256,5 +256,5 @@ fn million_rays_leave_without_meeting_their_facet() {
         assert_eq!(double.leaks, 0, "at {scale}");
     }
     println!("{acne} of {of}");
-    assert!(of >= 2_390_000 && acne == 0, "{acne} of {of}");
+    assert!(of >= 2_380_000 && acne == 0, "{acne} of {of}");
 }
