@@ -31,7 +31,7 @@ const PLANE_ERROR: f64 = 49.0 * U;
 
 /// The largest relative error of t, and the largest absolute error of a weight, that the filter lets pass: a quarter of the bits of `f32` below
 /// its last place.
-const LARGEST_ERROR: f64 = 1.0 / (1_u64 << 36) as f64;
+const LARGEST_ERROR: f64 = 1.0 / (1_u64 << 34) as f64;
 
 /// A ray ready for the filter: finite, with a direction, and an interval of finite ends.
 #[derive(Clone, Copy, Debug)]
@@ -44,7 +44,7 @@ pub(super) struct Line {
 
 impl Line {
     /// The ray's line; `None` for a ray that meets nothing whatever there is. A ray without an end ends at `f32::MAX`.
-    #[inline]
+    #[inline(always)]
     pub(super) fn new(ray: &Ray<Vec3>) -> Option<Self> {
         let end = ray.end.unwrap_or(f32::MAX).min(f32::MAX);
         let start = ray.start.max(-f32::MAX);
@@ -91,6 +91,11 @@ impl Confirmed {
     /// Not before the exact t.
     pub(super) fn latest(&self) -> f64 {
         self.t + self.t_error
+    }
+
+    /// Not after the exact t.
+    pub(super) fn earliest(&self) -> f64 {
+        self.t - self.t_error
     }
 
     /// Whether this hit comes before another one of the same line: by t, exactly, and then by the triangles' numbers.
@@ -146,50 +151,53 @@ enum Filtered {
 #[inline]
 fn filter(line: &Line, corners: [Vec3; 3]) -> Filtered {
     let (o, d) = (line.origin.as_dvec3(), line.direction.as_dvec3());
-    let [a, b, c] = corners.map(|corner| corner.as_dvec3() - o);
-    let largest = |p: DVec3| p.abs().max_element();
-    let (speed, reach) = (largest(d), largest(a).max(largest(b)).max(largest(c)));
-    let edge_error = EDGE_ERROR * speed * reach * reach;
-    let edges = [d.dot(b.cross(c)), d.dot(c.cross(a)), d.dot(a.cross(b))];
-    if edges.iter().any(|&e| e > edge_error) && edges.iter().any(|&e| e < -edge_error) {
-        return Filtered::Miss;
-    }
     let [first, second, third] = corners.map(|corner| corner.as_dvec3());
-    let (ab, ac) = (second - first, third - first);
-    let normal = ab.cross(ac);
-    let (determinant, distance) = (d.dot(normal), a.dot(normal));
-    let size = largest(ab) * largest(ac);
-    let determinant_error = PLANE_ERROR * speed * size;
-    let distance_error = PLANE_ERROR * largest(a) * size;
-    let t = distance / determinant;
-    // Of first order, and twice that for what is left out: both errors are far below 1 where the bound passes.
-    let relative =
-        2.0 * (determinant_error / determinant.abs() + distance_error / distance.abs() + U);
-    let t_error = relative * t.abs();
-    let weight_error = 2.0 * (edge_error + determinant_error) / determinant.abs();
-    let is_inside = edges.iter().all(|&e| e > edge_error) || edges.iter().all(|&e| e < -edge_error);
-    let (start, end) = (f64::from(line.start), f64::from(line.end));
-    if relative < LARGEST_ERROR && (t + t_error <= start || t - t_error > end) {
+    let [a, b, c] = [first - o, second - o, third - o];
+    let [ab, bc, ca] = [second - first, third - second, first - third];
+    let largest = |p: DVec3| p.abs().max_element();
+    let speed = largest(d);
+    let reach = largest(a.abs().max(b.abs()).max(c.abs()));
+    let size = largest(ab.abs().max(bc.abs()).max(ca.abs()));
+    let edge_error = EDGE_ERROR * speed * reach * size;
+    let edges = [d.cross(b).dot(bc), d.cross(c).dot(ca), d.cross(a).dot(ab)];
+    let least = edges[0].min(edges[1]).min(edges[2]);
+    let most = edges[0].max(edges[1]).max(edges[2]);
+    if least < -edge_error && most > edge_error {
         return Filtered::Miss;
     }
+    let normal = ca.cross(ab);
+    let (determinant, distance) = (d.dot(normal), a.dot(normal));
+    let reciprocal = determinant.recip();
+    let t = distance * reciprocal;
+    // All errors in multiples of the determinant: that of the determinant itself, halved where it is below, is doubled for it.
+    let unit = 2.0 * size * reciprocal.abs();
+    let determinant_error = PLANE_ERROR * speed * size * unit;
+    let t_error = PLANE_ERROR * reach * size * unit + (determinant_error + 4.0 * U) * t.abs();
+    let is_bounded = determinant_error < 0.5;
+    let (start, end) = (f64::from(line.start), f64::from(line.end));
+    if is_bounded && (t + t_error <= start || t - t_error > end) {
+        return Filtered::Miss;
+    }
+    let is_inside = least > edge_error || most < -edge_error;
+    let weight_error = EDGE_ERROR * speed * reach * unit + determinant_error + 4.0 * U;
     let is_sure = is_inside
-        && relative < LARGEST_ERROR
-        && weight_error < LARGEST_ERROR
+        && is_bounded
+        && t_error <= LARGEST_ERROR * t.abs()
+        && weight_error <= LARGEST_ERROR
         && t - t_error > start
         && t + t_error <= end;
     if !is_sure {
         return Filtered::Undecided;
     }
-    let side = if determinant < 0.0 {
-        Side::Front
-    } else {
-        Side::Back
-    };
     Filtered::Hit {
         t,
         t_error,
-        weights: [edges[1] / determinant, edges[2] / determinant],
-        side,
+        weights: [edges[1] * reciprocal, edges[2] * reciprocal],
+        side: if determinant < 0.0 {
+            Side::Front
+        } else {
+            Side::Back
+        },
     }
 }
 

@@ -128,6 +128,35 @@ impl Integer {
         Self { sign, digits }
     }
 
+    /// The number `value · 2^shift`, in units of 2⁻⁴⁴⁷.
+    #[allow(
+        clippy::cast_possible_truncation,
+        reason = "the digits are cut out of the wide number"
+    )]
+    fn of_product(value: i128, shift: u32) -> Self {
+        let mut digits = [0; DIGITS];
+        let (first, within) = ((shift / 64) as usize, shift % 64);
+        let magnitude = value.unsigned_abs();
+        let low = magnitude << within;
+        let high = if within == 0 {
+            0
+        } else {
+            magnitude >> (128 - within)
+        };
+        for (place, piece) in [low as u64, (low >> 64) as u64, high as u64]
+            .into_iter()
+            .enumerate()
+        {
+            if piece != 0 {
+                digits[first + place] = piece;
+            }
+        }
+        Self {
+            sign: value.cmp(&0),
+            digits,
+        }
+    }
+
     /// Less, equal or greater than 0.
     pub(super) fn sign(&self) -> Ordering {
         self.sign
@@ -247,6 +276,28 @@ pub(super) struct Volumes {
 impl Volumes {
     /// Of the line `o + t d` and the triangle with these corners; all coordinates finite.
     pub(super) fn new(o: Vec3, d: Vec3, corners: [Vec3; 3]) -> Self {
+        Self::of_near_numbers(o, d, corners).unwrap_or_else(|| Self::of_any_numbers(o, d, corners))
+    }
+
+    /// Where the coordinates do not differ in size by more than 2¹⁶, they are whole numbers of 40 bits: differences have 41, cross products 83, and
+    /// volumes at most 83 + 41 + 2 = 126.
+    fn of_near_numbers(o: Vec3, d: Vec3, corners: [Vec3; 3]) -> Option<Self> {
+        let [a, b, c] = corners;
+        let (points, unit) = whole_numbers([o, a, b, c])?;
+        let ([d], speed) = whole_numbers([d])?;
+        let [a, b, c] = [1, 2, 3]
+            .map(|corner: usize| [0, 1, 2].map(|axis| points[corner][axis] - points[0][axis]));
+        let edges = [[b, c], [c, a], [a, b]].map(|[p, q]| volume(d, p, q));
+        let [first, second, third] = edges;
+        let wide = |volume, unit| Integer::of_product(volume, unit);
+        Some(Self {
+            edges: edges.map(|edge| wide(edge, speed + 2 * unit)),
+            determinant: wide(first + second + third, speed + 2 * unit),
+            distance: wide(volume(a, b, c), 3 * unit),
+        })
+    }
+
+    fn of_any_numbers(o: Vec3, d: Vec3, corners: [Vec3; 3]) -> Self {
         let [a, b, c] = corners;
         let edge = |p: Vec3, q: Vec3| {
             let mut sum = Sum::zero();
@@ -276,6 +327,38 @@ impl Volumes {
             denominator: self.determinant,
         }
     }
+}
+
+/// The coordinates as multiples of one power of two, and its exponent over 2⁻¹⁴⁹; `None` where that takes more than 40 bits.
+fn whole_numbers<const N: usize>(points: [Vec3; N]) -> Option<([[i64; 3]; N], u32)> {
+    let (mut least, mut most) = (u32::MAX, 0);
+    for coordinate in points
+        .iter()
+        .flat_map(|point| point.to_array())
+        .filter(|&x| x != 0.0)
+    {
+        let shift = decomposed(coordinate).1;
+        (least, most) = (least.min(shift), most.max(shift));
+    }
+    if least == u32::MAX {
+        least = 0;
+    }
+    if most > least + 16 {
+        return None;
+    }
+    let whole = |coordinate: f32| {
+        let (mantissa, shift) = decomposed(coordinate);
+        mantissa << shift.saturating_sub(least)
+    };
+    Some((points.map(|point| point.to_array().map(whole)), least))
+}
+
+/// `x · y × z`.
+fn volume(x: [i64; 3], y: [i64; 3], z: [i64; 3]) -> i128 {
+    let minor = |j: usize, k: usize| {
+        i128::from(y[j]) * i128::from(z[k]) - i128::from(y[k]) * i128::from(z[j])
+    };
+    i128::from(x[0]) * minor(1, 2) + i128::from(x[1]) * minor(2, 0) + i128::from(x[2]) * minor(0, 1)
 }
 
 /// Adds `± x · y × z`.

@@ -18,14 +18,31 @@
 //!
 //! *In the book*: [A hierarchy of boxes](../../../../intersection/hierarchy.html).
 
+mod bounds;
+mod build;
+mod careful;
+mod collapse;
 mod confirm;
 mod exact;
 mod hit_point;
+mod node;
+mod order;
+mod prepared;
+mod stack;
+mod statistics;
+mod stream;
+mod traverse;
 
 use glam::Vec3;
 use thiserror::Error;
 
+use self::build::{BinaryNode, Builder, Primitive};
 use self::confirm::{Confirmed, Line, confirm};
+use self::node::Tree;
+use self::prepared::Prepared;
+use self::stack::Stack;
+pub use self::statistics::{Shape, Visits};
+use self::stream::{Any, Nearest, Walkers};
 use crate::intersection::{FacetHit, Hit, Intersect};
 use crate::mesh::Mesh;
 use crate::ray::Ray;
@@ -82,23 +99,15 @@ pub struct Found {
 #[derive(Clone, Debug)]
 pub struct Hierarchy {
     triangles: Vec<[Vec3; 3]>,
-    nodes: Vec<Node>,
-    order: Vec<u32>,
-}
-
-#[derive(Clone, Copy, Debug)]
-struct Node {
-    low: Vec3,
-    high: Vec3,
-    /// The right child, the left one follows; or where the leaf's triangles begin.
-    first: u32,
-    /// How many triangles a leaf has; 0 for an inner node.
-    count: u32,
+    tree: Tree,
+    /// The power of two that the tree's coordinates are multiplied by, and the largest of them.
+    scale: f32,
+    largest: f32,
 }
 
 impl Hierarchy {
     /// How many triangles a hierarchy holds at most.
-    pub const MOST_TRIANGLES: usize = 1 << 30;
+    pub const MOST_TRIANGLES: usize = 1 << 28;
 
     /// The hierarchy over these triangles, which it copies.
     ///
@@ -120,15 +129,26 @@ impl Hierarchy {
                 });
             }
         }
-        let mut hierarchy = Self {
-            triangles: triangles.to_vec(),
-            nodes: Vec::new(),
-            order: (0..count as u32).collect(),
+        let triangles = triangles.to_vec();
+        let largest = triangles.iter().flatten().fold(0.0_f32, |largest, corner| {
+            largest.max(corner.abs().max_element())
+        });
+        let scale = scale(largest);
+        let tree = if scale == 1.0 {
+            build_tree(&triangles, false)
+        } else {
+            let scaled: Vec<_> = triangles
+                .iter()
+                .map(|corners| corners.map(|corner| corner * scale))
+                .collect();
+            build_tree(&scaled, true)
         };
-        if count > 0 {
-            hierarchy.build(0, count);
-        }
-        Ok(hierarchy)
+        Ok(Self {
+            triangles,
+            tree,
+            scale,
+            largest: largest * scale,
+        })
     }
 
     /// The hierarchy over the triangles of a mesh, in the mesh's order.
@@ -174,43 +194,34 @@ impl Hierarchy {
     pub fn query(&self) -> Query<'_> {
         Query {
             hierarchy: self,
-            stack: Vec::new(),
+            stack: Stack::new(),
+            walkers: Walkers::new(),
         }
     }
+}
 
-    fn build(&mut self, begin: usize, end: usize) {
-        let corners = |&i: &u32| self.triangles[i as usize];
-        let (mut low, mut high) = (Vec3::MAX, Vec3::MIN);
-        for corner in self.order[begin..end].iter().flat_map(corners) {
-            (low, high) = (low.min(corner), high.max(corner));
-        }
-        let node = self.nodes.len();
-        let (first, count) = (begin as u32, (end - begin) as u32);
-        self.nodes.push(Node {
-            low,
-            high,
-            first,
-            count,
-        });
-        if count <= 4 {
-            return;
-        }
-        let extent = high * 0.5 - low * 0.5;
-        let axis = extent.max_position();
-        let middle = usize::midpoint(begin, end);
-        let triangles = &self.triangles;
-        let centre = |i: u32| {
-            let [a, b, c] = triangles[i as usize].map(|corner| corner[axis]);
-            a.min(b).min(c) * 0.5 + a.max(b).max(c) * 0.5
-        };
-        self.order[begin..end].select_nth_unstable_by(middle - begin, |&i, &j| {
-            centre(i).total_cmp(&centre(j)).then(i.cmp(&j))
-        });
-        self.build(begin, middle);
-        self.nodes[node].first = self.nodes.len() as u32;
-        self.nodes[node].count = 0;
-        self.build(middle, end);
+/// The power of two that brings the largest coordinate into a range where products of three of them are ordinary numbers.
+fn scale(largest: f32) -> f32 {
+    const ORDINARY: std::ops::RangeInclusive<f32> = 1.0 / (1 << 20) as f32..=(1 << 20) as f32;
+    if largest == 0.0 || ORDINARY.contains(&largest) {
+        return 1.0;
     }
+    // 2^-k for a largest coordinate in [2^k, 2^(k+1)); the exponent of a denormal number counts as that of the least normal one.
+    let exponent = (largest.to_bits() >> 23).clamp(1, 253);
+    f32::from_bits((254 - exponent) << 23)
+}
+
+/// The tree over these triangles. Where scaling may have rounded their coordinates, the boxes are widened by a rounding.
+fn build_tree(triangles: &[[Vec3; 3]], is_rounded: bool) -> Tree {
+    let mut primitives: Vec<_> = (0..)
+        .zip(triangles)
+        .map(|(triangle, &corners)| Primitive::new(triangle, corners, is_rounded))
+        .collect();
+    let mut binary = vec![BinaryNode::NONE; triangles.len().saturating_sub(1)];
+    if !triangles.is_empty() {
+        Builder { triangles }.build(&mut primitives, &mut binary, 0);
+    }
+    Tree::new(triangles, &primitives, &binary)
 }
 
 /// For single rays: each makes a [`Query`] of its own, which many rays would share.
@@ -230,14 +241,27 @@ impl Intersect for Hierarchy {
 #[derive(Clone, Debug)]
 pub struct Query<'a> {
     hierarchy: &'a Hierarchy,
-    stack: Vec<u32>,
+    stack: Box<Stack>,
+    walkers: Walkers,
 }
 
 impl Query<'_> {
     /// The first triangle that the ray meets.
     #[inline]
     pub fn nearest(&mut self, ray: &Ray<Vec3>) -> Option<Found> {
-        self.walk(ray, false)
+        let hierarchy = self.hierarchy;
+        let line = Line::new(ray)?;
+        if hierarchy.triangles.is_empty() {
+            return None;
+        }
+        let reach = Prepared::reach(&line, hierarchy.scale, hierarchy.largest);
+        let hit = if Prepared::is_ordinary(&line, reach) {
+            let ray = Prepared::new(&line, hierarchy.scale, reach);
+            hierarchy.nearest(&line, &ray, &mut self.stack, &mut ())
+        } else {
+            hierarchy.walk_carefully(&line, false)
+        };
+        hit.as_ref().map(found)
     }
 
     /// The first triangle that the ray meets, and the whole hit.
@@ -248,68 +272,39 @@ impl Query<'_> {
 
     /// Whether the ray meets any triangle.
     pub fn is_hit(&mut self, ray: &Ray<Vec3>) -> bool {
-        self.walk(ray, true).is_some()
+        let hierarchy = self.hierarchy;
+        let Some(line) = Line::new(ray).filter(|_| !hierarchy.triangles.is_empty()) else {
+            return false;
+        };
+        let reach = Prepared::reach(&line, hierarchy.scale, hierarchy.largest);
+        if Prepared::is_ordinary(&line, reach) {
+            let ray = Prepared::new(&line, hierarchy.scale, reach);
+            hierarchy.any(&line, &ray, &mut self.stack)
+        } else {
+            hierarchy.walk_carefully(&line, true).is_some()
+        }
     }
 
     /// [`nearest`](Self::nearest) of many rays: `found[i]` is that of `rays[i]`. Where one slice is longer, its rest is left alone.
     pub fn nearest_of(&mut self, rays: &[Ray<Vec3>], found: &mut [Option<Found>]) {
-        for (ray, found) in rays.iter().zip(found) {
-            *found = self.nearest(ray);
+        let count = rays.len().min(found.len());
+        let (rays, found) = (&rays[..count], &mut found[..count]);
+        if self.hierarchy.triangles.is_empty() {
+            found.fill(None);
+        } else {
+            self.walkers.walk(self.hierarchy, rays, &mut Nearest(found));
         }
     }
 
     /// [`is_hit`](Self::is_hit) of many rays.
     pub fn is_hit_of(&mut self, rays: &[Ray<Vec3>], hit: &mut [bool]) {
-        for (ray, hit) in rays.iter().zip(hit) {
-            *hit = self.is_hit(ray);
+        let count = rays.len().min(hit.len());
+        let (rays, hit) = (&rays[..count], &mut hit[..count]);
+        if self.hierarchy.triangles.is_empty() {
+            hit.fill(false);
+        } else {
+            self.walkers.walk(self.hierarchy, rays, &mut Any(hit));
         }
-    }
-
-    fn walk(&mut self, ray: &Ray<Vec3>, any: bool) -> Option<Found> {
-        let line = Line::new(ray)?;
-        let hierarchy = self.hierarchy;
-        let mut best: Option<Confirmed> = None;
-        let inverse = 1.0 / line.direction.as_dvec3();
-        self.stack.clear();
-        if !hierarchy.nodes.is_empty() {
-            self.stack.push(0);
-        }
-        while let Some(index) = self.stack.pop() {
-            let node = hierarchy.nodes[index as usize];
-            let (mut enter, mut leave) = (
-                f64::from(line.start),
-                best.map_or(f64::from(line.end), |best| best.latest()),
-            );
-            for axis in 0..3 {
-                let o = f64::from(line.origin[axis]);
-                let mut ends = [node.low[axis], node.high[axis]];
-                if inverse[axis].is_sign_negative() {
-                    ends.reverse();
-                }
-                let [near, far] = ends.map(|end| (f64::from(end) - o) * inverse[axis]);
-                enter = enter.max(near - 1e-14 * near.abs());
-                leave = leave.min(far + 1e-14 * far.abs());
-            }
-            if enter - 1e-14 * enter.abs() > leave + 1e-14 * leave.abs() {
-                continue;
-            }
-            if node.count == 0 {
-                self.stack.extend([node.first, index + 1]);
-                continue;
-            }
-            for &triangle in &hierarchy.order[node.first as usize..][..node.count as usize] {
-                let hit = confirm(&line, triangle, hierarchy.triangles[triangle as usize]);
-                if let Some(hit) = hit
-                    && best.is_none_or(|best| hit.is_before(&best, &line, &hierarchy.triangles))
-                {
-                    best = Some(hit);
-                    if any {
-                        break;
-                    }
-                }
-            }
-        }
-        best.map(|best| found(&best))
     }
 }
 

@@ -1,0 +1,314 @@
+//! The binary tree: triangles split in two, again and again, where the surface area heuristic expects the least work.
+//!
+//! ```text
+//! cost of a split = A(left) n(left) + A(right) n(right)
+//! ```
+//!
+//! The cuts that are tried lie between bins along each axis. A group of a few triangles is sorted along the longest axis, and every cut tried.
+//!
+//! # Conventions
+//!
+//! A tree over n triangles has n − 1 inner nodes, in depth-first order: the left child's subtree follows its parent, then comes the right one's. So
+//! every subtree is a slice whose length is known beforehand: threads share nothing, and the tree does not depend on how many there are.
+//!
+//! # Sources
+//!
+//! I. Wald, *On fast construction of SAH-based bounding volume hierarchies*, 2007, section 3 (bins).
+
+use glam::Vec3;
+use wide::f32x8;
+
+use super::bounds::Bounds;
+use super::collapse::{Choices, Costs, Subtree};
+
+/// How many bins each axis is cut into at most.
+const MOST_BINS: usize = 16;
+
+/// Up to so many triangles are sorted instead.
+const SORTED: usize = 5;
+
+/// Above so many triangles the two halves are built at the same time.
+const PARALLEL: usize = 4096;
+
+/// From this depth on, groups are cut into halves by number: so the depth is at most this and the logarithm of the count.
+pub(super) const DEEPEST_BY_COST: u32 = 40;
+
+/// A triangle while the tree is built: its box, with its number in the bits of the first spare lane.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Primitive(f32x8);
+
+impl Primitive {
+    pub(super) fn new(triangle: u32, corners: [Vec3; 3], is_rounded: bool) -> Self {
+        let mut lanes = Bounds::of_points(&corners).0.to_array();
+        if is_rounded {
+            lanes = lanes.map(f32::next_down);
+        }
+        lanes[3] = f32::from_bits(triangle);
+        Self(f32x8::new(lanes))
+    }
+
+    #[inline]
+    pub(super) fn bounds(&self) -> Bounds {
+        Bounds(self.0)
+    }
+
+    #[inline]
+    pub(super) fn triangle(&self) -> u32 {
+        self.0.as_array()[3].to_bits()
+    }
+
+    /// Twice the centre of the box along an axis.
+    #[inline]
+    fn centre_along(&self, axis: usize) -> f32 {
+        let lanes = self.0.as_array();
+        lanes[axis] - lanes[axis + 4]
+    }
+
+    /// Twice the centre of the box.
+    #[inline]
+    fn centre(&self) -> Vec3 {
+        let [x, y, z, _, p, q, r, _] = self.0.to_array();
+        Vec3::new(x - p, y - q, z - r)
+    }
+}
+
+/// An inner node of the binary tree.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct BinaryNode {
+    /// `[low, high]`.
+    bounds: [[f32; 3]; 2],
+    /// How many triangles are below.
+    pub(super) count: u32,
+    /// How many of them are in the left child.
+    pub(super) left: u32,
+    /// How the subtree becomes children of a wide node.
+    pub(super) choices: Choices,
+}
+
+impl BinaryNode {
+    pub(super) const NONE: Self = Self {
+        bounds: [[0.0; 3]; 2],
+        count: 0,
+        left: 0,
+        choices: Choices::NONE,
+    };
+
+    pub(super) fn low(&self) -> Vec3 {
+        self.bounds[0].into()
+    }
+
+    pub(super) fn high(&self) -> Vec3 {
+        self.bounds[1].into()
+    }
+}
+
+/// Where the triangles are, for [`build`].
+pub(super) struct Builder<'a> {
+    /// The triangles, in the units of the tree.
+    pub(super) triangles: &'a [[Vec3; 3]],
+}
+
+impl Builder<'_> {
+    /// Sorts the primitives into the order of the leaves, and fills the nodes of their subtree: one fewer than there are primitives.
+    pub(super) fn build(
+        &self,
+        primitives: &mut [Primitive],
+        nodes: &mut [BinaryNode],
+        depth: u32,
+    ) -> Subtree {
+        if let [primitive] = primitives {
+            return Subtree::of_triangle(
+                primitive.bounds(),
+                &self.triangles[primitive.triangle() as usize],
+            );
+        }
+        let count = primitives.len();
+        let left = self.split(primitives, depth);
+        let (left_primitives, right_primitives) = primitives.split_at_mut(left);
+        let (node, rest) = nodes
+            .split_first_mut()
+            .expect("an inner node for two primitives or more");
+        let (left_nodes, right_nodes) = rest.split_at_mut(left - 1);
+        let mut build_left = || self.build(left_primitives, left_nodes, depth + 1);
+        let mut build_right = || self.build(right_primitives, right_nodes, depth + 1);
+        let (first, second) = if count > PARALLEL {
+            rayon::join(build_left, build_right)
+        } else {
+            (build_left(), build_right())
+        };
+        let (subtree, choices) = Costs::join(&first, &second, count);
+        *node = BinaryNode {
+            bounds: [subtree.bounds.low().into(), subtree.bounds.high().into()],
+            count: number(count),
+            left: number(left),
+            choices,
+        };
+        subtree
+    }
+
+    /// Reorders the primitives so that the first ones belong to the left child, and says how many: at least one, and not all.
+    fn split(&self, primitives: &mut [Primitive], depth: u32) -> usize {
+        let count = primitives.len();
+        if count == 2 {
+            return 1;
+        }
+        let centres = primitives.iter().map(Primitive::centre);
+        let (low, high) = centres.fold(
+            (Vec3::INFINITY, Vec3::NEG_INFINITY),
+            |(low, high), centre| (low.min(centre), high.max(centre)),
+        );
+        let extent = high - low;
+        if depth >= DEEPEST_BY_COST || extent == Vec3::ZERO {
+            return halves(primitives, extent.max_position());
+        }
+        if count <= SORTED {
+            return sorted(primitives, extent.max_position());
+        }
+        let bins = Bins::new(primitives, low, extent);
+        let Some((axis, bin)) = bins.best_cut() else {
+            return halves(primitives, extent.max_position());
+        };
+        partition(primitives, |primitive| bins.bin(primitive)[axis] < bin)
+    }
+}
+
+/// Cuts by number at the median along an axis.
+fn halves(primitives: &mut [Primitive], axis: usize) -> usize {
+    let middle = primitives.len() / 2;
+    primitives.select_nth_unstable_by(middle, |a, b| {
+        let order = a.centre_along(axis).total_cmp(&b.centre_along(axis));
+        order.then(a.triangle().cmp(&b.triangle()))
+    });
+    middle
+}
+
+/// Sorts a few primitives along an axis, and cuts where it costs least.
+fn sorted(primitives: &mut [Primitive], axis: usize) -> usize {
+    let count = primitives.len();
+    for end in 1..count {
+        let mut place = end;
+        while place > 0
+            && primitives[place - 1].centre_along(axis) > primitives[place].centre_along(axis)
+        {
+            primitives.swap(place - 1, place);
+            place -= 1;
+        }
+    }
+    let mut costs = [0.0; SORTED];
+    let mut bounds = Bounds::EMPTY;
+    for left in 1..count {
+        bounds = bounds.union(primitives[left - 1].bounds());
+        costs[left] = bounds.half_area() * left as f32;
+    }
+    bounds = Bounds::EMPTY;
+    let (mut best, mut least) = (count / 2, f32::INFINITY);
+    for left in (1..count).rev() {
+        bounds = bounds.union(primitives[left].bounds());
+        let cost = costs[left] + bounds.half_area() * (count - left) as f32;
+        if cost < least {
+            (best, least) = (left, cost);
+        }
+    }
+    best
+}
+
+/// Moves those that belong to the left to the front, and says how many there are.
+fn partition(primitives: &mut [Primitive], is_left: impl Fn(&Primitive) -> bool) -> usize {
+    let (mut left, mut right) = (0, primitives.len());
+    while left < right {
+        if is_left(&primitives[left]) {
+            left += 1;
+        } else {
+            right -= 1;
+            primitives.swap(left, right);
+        }
+    }
+    left
+}
+
+/// The primitives of a group sorted into bins along each axis.
+struct Bins {
+    low: Vec3,
+    scale: Vec3,
+    count: usize,
+    bounds: [[Bounds; MOST_BINS]; 3],
+    numbers: [[u32; MOST_BINS]; 3],
+}
+
+/// Added to a number from 0 to 2²², it leaves the nearest integer in the low bits.
+const ROUNDING: f32 = 12_582_912.0;
+
+impl Bins {
+    fn new(primitives: &[Primitive], low: Vec3, extent: Vec3) -> Self {
+        let count = if primitives.len() < 2 * MOST_BINS {
+            MOST_BINS / 2
+        } else {
+            MOST_BINS
+        };
+        // A hair below the number of bins, so that the last centre is in the last bin.
+        let most = count as f32 * (1.0 - 4.0 * f32::EPSILON);
+        let scale = extent
+            .to_array()
+            .map(|extent| if extent > 0.0 { most / extent } else { 0.0 });
+        let mut bins = Self {
+            low,
+            scale: Vec3::from_array(scale).min(Vec3::MAX),
+            count,
+            bounds: [[Bounds::EMPTY; MOST_BINS]; 3],
+            numbers: [[0; MOST_BINS]; 3],
+        };
+        for primitive in primitives {
+            for (axis, bin) in bins.bin(primitive).into_iter().enumerate() {
+                let bounds = &mut bins.bounds[axis][bin];
+                *bounds = bounds.union(primitive.bounds());
+                bins.numbers[axis][bin] += 1;
+            }
+        }
+        bins
+    }
+
+    #[inline]
+    fn bin(&self, primitive: &Primitive) -> [usize; 3] {
+        let place = (primitive.centre() - self.low) * self.scale + (ROUNDING - 0.5);
+        place
+            .to_array()
+            .map(|place| place.to_bits() as usize & (MOST_BINS - 1))
+    }
+
+    /// The axis, and the first bin of the right side, of the cut with the least cost; `None` where all are in one bin.
+    fn best_cut(&self) -> Option<(usize, usize)> {
+        let (mut best, mut least) = (None, f32::INFINITY);
+        for axis in 0..3 {
+            let (bounds, numbers) = (&self.bounds[axis], &self.numbers[axis]);
+            let mut costs = [0.0; MOST_BINS];
+            let (mut union, mut number) = (Bounds::EMPTY, 0);
+            for bin in 1..self.count {
+                union = union.union(bounds[bin - 1]);
+                number += numbers[bin - 1];
+                costs[bin] = if number == 0 {
+                    f32::INFINITY
+                } else {
+                    union.half_area() * number as f32
+                };
+            }
+            (union, number) = (Bounds::EMPTY, 0);
+            for bin in (1..self.count).rev() {
+                union = union.union(bounds[bin]);
+                number += numbers[bin];
+                let cost = costs[bin] + union.half_area() * number as f32;
+                if number > 0 && cost < least {
+                    (best, least) = (Some((axis, bin)), cost);
+                }
+            }
+        }
+        best
+    }
+}
+
+#[allow(
+    clippy::cast_possible_truncation,
+    reason = "below Hierarchy::MOST_TRIANGLES"
+)]
+fn number(count: usize) -> u32 {
+    count as u32
+}
