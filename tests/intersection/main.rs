@@ -6,6 +6,7 @@
 
 mod bound;
 mod box_error_theorems;
+mod box_hard_cases;
 mod box_inputs;
 mod box_theorems;
 #[path = "../common/mod.rs"]
@@ -41,5 +42,6 @@ mod triangle_mesh_theorems;
 mod triangle_meshes;
 mod triangle_suspects;
 mod triangle_theorems;
+mod variants_spheres;
 mod variants_surfaces;
 mod variants_triangles;
