@@ -1,6 +1,28 @@
 //! The figures of the chapter *Intersection*. Each function makes one, from the library's own rays.
 
+#[path = "figures/boxes.rs"]
+mod boxes;
+#[path = "figures/spheres.rs"]
+mod spheres;
+
 use facette_figure::FigureMaker;
 
 /// All figures of the chapter, in the order of the text.
-pub const FIGURES: &[FigureMaker] = &[];
+pub const FIGURES: &[FigureMaker] = &[
+    FigureMaker {
+        name: "nearest_of_many",
+        make: spheres::nearest_of_many,
+    },
+    FigureMaker {
+        name: "quadratic",
+        make: spheres::quadratic,
+    },
+    FigureMaker {
+        name: "lost_digits",
+        make: spheres::lost_digits,
+    },
+    FigureMaker {
+        name: "slabs",
+        make: boxes::slabs,
+    },
+];
