@@ -59,15 +59,11 @@ fn panel(origin: Point, direction: Point, length: f64) -> Drawing {
         .disc(place(origin), 3.5, Colour::Vermilion);
     // The axis of t, with a line for each slab and one for what they have in common.
     let along = |t: f64| 62.0 + 27.0 * t.clamp(-0.5, 6.1);
+    let common = bounds.span(&ray).map(|span| [span.entry, span.exit]);
     let rows = [
         ("*x*", Colour::Blue, slab(&bounds, &ray, 0)),
         ("*y*", Colour::Orange, slab(&bounds, &ray, 1)),
-        (
-            "both",
-            Colour::Green,
-            Dashes::Solid,
-            bounds.span(&ray).map(|span| [span.entry, span.exit]),
-        ),
+        ("both", Colour::Green, common),
     ];
     for (index, (name, colour, interval)) in rows.into_iter().enumerate() {
         let y = 222.0 + 26.0 * index as f64;
