@@ -8,6 +8,8 @@ mod bspline;
 mod camera;
 #[path = "../../../examples/coons/figures.rs"]
 mod coons;
+#[path = "../../../examples/intersection/figures.rs"]
+mod intersection;
 #[path = "../../../examples/tessellation/figures.rs"]
 mod tessellation;
 
@@ -28,5 +30,9 @@ pub const CHAPTERS: &[ChapterFigures] = &[
     ChapterFigures {
         chapter: "camera",
         figures: camera::FIGURES,
+    },
+    ChapterFigures {
+        chapter: "intersection",
+        figures: intersection::FIGURES,
     },
 ];
