@@ -114,10 +114,18 @@ impl<P: CameraPoint> Image<P> {
         )
     }
 
-    fn row_by_row(&self) -> impl FnMut(&mut [P]) {
+    fn centre_and_ray(&self) -> impl FnMut(&mut [P]) {
+        let Self {
+            camera,
+            distance,
+            size,
+        } = self;
         self.fill(
-            |image, row| image.camera.row(image.size, row),
-            |row, column| row.ray(column),
+            |_, row| row,
+            move |&mut row, column| {
+                let place = pixel_centre(camera.rectangle(), *size, Pixel { column, row });
+                perspective_ray(camera.frame(), *distance, place)
+            },
         )
     }
 
@@ -180,18 +188,23 @@ fn directions(view: &View, size: ImageSize, visitor: &mut Visitor<'_>) {
     let rays = (size.columns() * size.rows()) as usize;
     let comparison = Comparison::new("direction of a pixel's ray", view.name, rays)
         .variant(["through s", "f64"], &wide, f64.through_s())
+        .variant(["perspective_ray", "f64"], &wide, f64.centre_and_ray())
         .variant(["pixel_ray", "f64"], &wide, f64.pixel_ray())
-        .variant(["row by row", "f64"], &wide, f64.row_by_row())
         .variant(["start + i step", "f64"], &wide, f64.stepped())
         .variant(["added up", "f64"], &wide, f64.added())
+        .variant(["perspective_ray", "DVec3"], &wide, dvec3.centre_and_ray())
         .variant(["pixel_ray", "DVec3"], &wide, dvec3.pixel_ray())
         .variant(["through s", "f32"], &narrow, f32.through_s())
+        .variant(["perspective_ray", "f32"], &narrow, f32.centre_and_ray())
         .variant(["pixel_ray", "f32"], &narrow, f32.pixel_ray())
-        .variant(["row by row", "f32"], &narrow, f32.row_by_row())
         .variant(["start + i step", "f32"], &narrow, f32.stepped())
         .variant(["added up", "f32"], &narrow, f32.added())
+        .variant(
+            ["perspective_ray", "Vec3A"],
+            &aligned,
+            vec3a.centre_and_ray(),
+        )
         .variant(["pixel_ray", "Vec3A"], &aligned, vec3a.pixel_ray())
-        .variant(["row by row", "Vec3A"], &aligned, vec3a.row_by_row())
         .variant(["start + i step", "Vec3A"], &aligned, vec3a.stepped());
     visitor(comparison);
 }

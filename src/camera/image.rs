@@ -246,6 +246,7 @@ impl Pixel {
 
 /// The row counted from the other side of the image: from the bottom for one counted from the top, and the other way round. `None` outside the image.
 // ANCHOR: flipped_row
+#[inline]
 pub fn flipped_row(size: ImageSize, row: u32) -> Option<u32> {
     (row < size.rows()).then(|| size.rows() - 1 - row)
 }
@@ -261,6 +262,7 @@ pub fn flipped_row(size: ImageSize, row: u32) -> Option<u32> {
 ///
 /// A pixel outside the image is outside the rectangle: the grid goes on.
 // ANCHOR: pixel_centre
+#[inline]
 pub fn pixel_centre<S: Scalar>(
     rectangle: &ImageRectangle<S>,
     size: ImageSize,
@@ -281,6 +283,7 @@ pub fn pixel_centre<S: Scalar>(
 ///
 /// Outside `[0, 1]` a neighbour of the pixel is sampled.
 // ANCHOR: pixel_sample
+#[inline]
 pub fn pixel_sample<S: Scalar>(
     rectangle: &ImageRectangle<S>,
     size: ImageSize,
@@ -297,6 +300,7 @@ pub fn pixel_sample<S: Scalar>(
 // ANCHOR_END: pixel_sample
 
 /// The number of a row or column; those beyond 2³¹ − 1 lie outside every image and are that.
+#[inline]
 pub(super) fn number<S: Scalar>(index: u32) -> S {
     S::from_i32(i32::try_from(index).unwrap_or(i32::MAX))
 }

@@ -39,7 +39,6 @@ mod error;
 mod frame;
 mod image;
 mod lens;
-mod row;
 
 pub use error::{CameraError, ImageSizeError};
 pub use frame::{CameraFrame, look_at_axes};
@@ -50,4 +49,3 @@ pub use lens::{
     Camera, Projection, orthographic_ray, perspective_ray, project_orthographic,
     project_perspective,
 };
-pub use row::CameraRow;

@@ -129,7 +129,7 @@ fn slides_form_misses_the_last_border() {
 }
 
 /// **Rays by addition drift.** One might compute the first direction of a row and add a step for each pixel. Each sum rounds, and the errors add up: after 4096 columns in `f32` the direction is off by more than a hundred times the bound of the direct formula,
-/// and by a good part of a pixel. Start plus $i$ steps has no such drift.
+/// and by a quarter of a pixel. Start plus $i$ steps has no such drift.
 #[test]
 fn added_directions_drift() {
     let camera: Camera<[f32; 3]> = wide_camera();
@@ -167,7 +167,7 @@ fn added_directions_drift() {
         direct <= bound && stepped <= 2.0 * bound,
         "{direct} {stepped}"
     );
-    assert!(added > 10.0 * bound, "{added}");
+    assert!(added > 100.0 * bound, "{added}");
 }
 
 /// A camera with a wide image, looking nowhere in particular.

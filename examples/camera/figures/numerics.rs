@@ -39,7 +39,7 @@ pub fn up_near_the_view() -> Figure {
     let mut series = [Vec::new(), Vec::new()];
     for step in 0..=28_u8 {
         let angle = 10_f64.powf(-f64::from(step) / 4.5);
-        let mut worst = [1e-9_f64; 2];
+        let (mut worst, mut is_known) = ([1e-9_f64; 2], true);
         for turn in 0..24_u8 {
             let turn = f64::from(turn).to_radians() * 15.0;
             let aside = [0.8 * turn.cos(), turn.sin(), 0.3 * (2.0 * turn).sin()];
@@ -50,12 +50,14 @@ pub fn up_near_the_view() -> Figure {
             let aside = aside.map(|part| (2.3 * angle * part) as f32);
             let up = target.minus(eye).plus(aside);
             worst[0] = worst[0].max(overlap(textbook_axes(eye, target, up)));
-            if let Some(axes) = look_at_axes(eye, target, up) {
-                worst[1] = worst[1].max(overlap(axes));
+            match look_at_axes(eye, target, up) {
+                Some(axes) => worst[1] = worst[1].max(overlap(axes)),
+                None => is_known = false,
             }
         }
-        for (points, worst) in series.iter_mut().zip(worst) {
-            points.push([angle, worst]);
+        series[0].push([angle, worst[0]]);
+        if is_known {
+            series[1].push([angle, worst[1]]);
         }
     }
     let title = "The largest scalar product of two axes";
@@ -70,7 +72,7 @@ pub fn up_near_the_view() -> Figure {
     .line("orthogonalised once more", &series[1]);
     plotted(
         "up_near_the_view",
-        "How far the axes are from orthogonal, in `f32`: the smaller the angle between up and the view, the worse the textbook's frame. Orthogonalised once more, it stays at the roundoff.",
+        "How far the axes are from orthogonal, in `f32`: the smaller the angle between up and the view, the worse the textbook's frame. Orthogonalised once more, it stays at the roundoff; the line ends where nothing of the product is known any more, and the frame is refused.",
         "A plot with logarithmic axes. The textbook's line rises as the angle becomes smaller, by a decade for each decade; the other line stays level below one in a million.",
         &plot,
     )
@@ -145,14 +147,15 @@ pub fn drift() -> Figure {
         let blocks = (0..128_u32).map(|block| 32 * block);
         let largest = |first: u32| {
             let errors = (first..first + 32).map(|column| error(column, direction(column)));
-            [f64::from(first + 16), 1e7 * errors.fold(0.0, f64::max)]
+            // A pixel is 2/4096 wide.
+            [f64::from(first + 16), 2048.0 * errors.fold(0.0, f64::max)]
         };
         blocks.map(largest).collect()
     };
     let plot = Plot::new(
         "Drift along a row",
         "column",
-        "largest error of a direction / 1e−7",
+        "largest error of a direction / pixels",
     )
     .line("added up", &of(&|column| added[column as usize].direction))
     .line(
@@ -165,7 +168,7 @@ pub fn drift() -> Figure {
     );
     plotted(
         "drift",
-        "The error of the directions along a row of 4096 pixels, in `f32`: added up from pixel to pixel, they drift away; the other two do not.",
+        "The error of the directions along a row of 4096 pixels, in `f32`: added up from pixel to pixel, they drift away, by a quarter of a pixel at the end; the other two do not.",
         "A plot. One line climbs away with the column; two others stay close to zero.",
         &plot,
     )

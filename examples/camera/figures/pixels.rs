@@ -53,7 +53,7 @@ pub fn pixel_grid() -> Figure {
     let [x, y] = place(pixel_centre(&rectangle, size, chosen));
     drawing = drawing
         .text([x, y - 12.0], "*i* = 3, *j* = 1", 15.0, Anchor::Middle)
-        .text([x, y + 24.0], "3rd in row 1", 13.0, Anchor::Middle);
+        .text([x, y + 25.0], "(*u*, *v*)", 15.0, Anchor::Middle);
     let samples = [[0.25, 0.25], [0.75, 0.25], [0.25, 0.75], [0.75, 0.75]];
     for within in samples {
         drawing = drawing.circle(at(1, 0, within), 4.0, Stroke::new(Colour::Green, 2.0));
@@ -98,8 +98,8 @@ fn axes_and_numbers(mut drawing: Drawing, size: ImageSize) -> Drawing {
         .arrow([left, low + 36.0], [left + 90.0, low + 36.0], along)
         .arrow([left - 44.0, low], [left - 44.0, low - 90.0], along)
         .arrow(
-            [right + 44.0, high],
-            [right + 44.0, high + 90.0],
+            [right + 50.0, high],
+            [right + 50.0, high + 90.0],
             Stroke::new(Colour::Purple, 2.0),
         );
     let name = |drawing: Drawing, at: [f64; 2], words: &str, anchor, colour| {
@@ -121,14 +121,14 @@ fn axes_and_numbers(mut drawing: Drawing, size: ImageSize) -> Drawing {
     );
     drawing = name(
         drawing,
-        [right + 52.0, high + 108.0],
+        [right + 66.0, high + 110.0],
         "row of",
         Anchor::Middle,
         Colour::Purple,
     );
     drawing = name(
         drawing,
-        [right + 52.0, high + 126.0],
+        [right + 66.0, high + 128.0],
         "the file",
         Anchor::Middle,
         Colour::Purple,

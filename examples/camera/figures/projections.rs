@@ -24,7 +24,7 @@ fn framed(drawing: Drawing) -> Drawing {
 /// The triangle of the half angle, and one scene under three fields of view.
 pub fn field_of_view() -> Figure {
     let of = |degrees: f64| {
-        let frame = looking(at(2.0, 6.0, 2.2), at(0.0, 0.0, 0.7));
+        let frame = looking(at(1.6, 4.4, 1.9), at(-0.1, 0.6, 0.75));
         let camera = Camera::with_field_of_view(frame, degrees.to_radians(), 4.0 / 3.0);
         let mut stage = Stage::new(camera.expect("an angle"), 360, 270);
         for (x, y) in [(-1.4, 0.6), (0.2, -0.4), (1.2, 1.6)] {
@@ -84,9 +84,9 @@ fn triangle() -> Drawing {
         .line(eye, axis_end, guides)
         .polyline(&arc, ink(1.6))
         .disc(eye, 5.0, Colour::Ink)
-        .text([eye[0] + 66.0, eye[1] - 8.0], "*θ*/2", 16.0, Anchor::Start)
-        .text([eye[0] + 34.0, eye[1] + 26.0], "*θ*", 16.0, Anchor::End)
-        .text([eye[0] + 92.0, eye[1] + 20.0], "*D*", 17.0, Anchor::Middle)
+        .text([eye[0] + 60.0, eye[1] - 8.0], "*θ*/2", 16.0, Anchor::Start)
+        .text([eye[0] + 60.0, eye[1] + 19.0], "*θ*/2", 16.0, Anchor::Start)
+        .text([eye[0] + 125.0, eye[1] + 20.0], "*D*", 17.0, Anchor::Middle)
         .text([top[0] - 10.0, top[1] + 46.0], "*h*", 17.0, Anchor::End)
         .text(
             [bottom[0] - 10.0, bottom[1] - 36.0],
@@ -94,7 +94,7 @@ fn triangle() -> Drawing {
             17.0,
             Anchor::End,
         )
-        .text([eye[0] - 8.0, eye[1] + 30.0], "**e**", 17.0, Anchor::Middle)
+        .text([eye[0] - 8.0, eye[1] + 26.0], "**e**", 17.0, Anchor::Middle)
 }
 
 /// A street whose edges meet at one point, and a box turned so that two families do.
@@ -153,9 +153,9 @@ fn street() -> Drawing {
 
 fn corner() -> Drawing {
     let frame = looking(at(0.0, 5.0, 1.4), at(0.0, 0.0, 1.4));
-    let camera = Camera::with_field_of_view(frame, 1.25, 4.0 / 3.0).expect("an angle");
+    let camera = Camera::with_field_of_view(frame, 1.43, 4.0 / 3.0).expect("an angle");
     let mut stage = Stage::new(camera, 400, 300);
-    let turn = 0.85_f64;
+    let turn = PI / 4.0 + 0.01;
     let [along, across] = [
         at(-turn.cos(), -turn.sin(), 0.0),
         at(turn.sin(), -turn.cos(), 0.0),
@@ -196,11 +196,11 @@ fn corner() -> Drawing {
 
 /// A tower: seen level, with the camera tilted, and with the rectangle shifted.
 pub fn shifted_rectangle() -> Figure {
-    let eye = at(1.0, 5.2, 1.0);
-    let level = looking(eye, at(0.6, 0.0, 1.0));
-    let tilted = looking(eye, at(0.6, 0.0, 2.75));
-    let centred = ImageRectangle::new(-0.36, 0.36, -0.36, 0.36).expect("an extent");
-    let shifted = ImageRectangle::new(-0.36, 0.36, -0.06, 0.66).expect("an extent");
+    let eye = at(1.0, 4.5, 1.0);
+    let level = looking(eye, at(0.5, 0.0, 1.0));
+    let tilted = looking(eye, at(0.5, 0.0, 2.3));
+    let centred = ImageRectangle::new(-0.6, 0.6, -0.6, 0.6).expect("an extent");
+    let shifted = ImageRectangle::new(-0.6, 0.6, -0.3, 0.9).expect("an extent");
     let of = |frame, rectangle| {
         let camera = Camera::perspective(frame, rectangle, 1.0).expect("a distance");
         let mut stage = Stage::new(camera, 300, 300);
@@ -222,7 +222,7 @@ pub fn shifted_rectangle() -> Figure {
     Figure::drawn(
         "shifted_rectangle",
         "Three pictures of a tower from the same place. A level camera cuts its top off. Tilted upwards it sees the top, but the verticals converge, since they are no longer parallel to the image plane. A level camera with the rectangle \
-         shifted upwards, $b=-0.06$ and $t=0.66$ instead of $\\mp0.36$, sees the whole tower with parallel verticals: what architects' cameras do.",
+         shifted upwards, $b=-0.3$ and $t=0.9$ instead of $\\mp0.6$, sees the whole tower with parallel verticals: what architects' cameras do.",
         "Three drawings of a tower. In the first its top is cut off. In the second it is whole, but narrows upwards. In the third it is whole, and its sides are parallel.",
         &drawing,
     )

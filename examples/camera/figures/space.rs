@@ -29,13 +29,13 @@ fn corners(frame: &CameraFrame<DVec3>, rectangle: &ImageRectangle<f64>, depth: f
 
 /// The eye, its three axes, the image rectangle and one ray.
 pub fn frame_and_rectangle() -> Figure {
-    let view = looking(at(9.0, 13.0, 8.5), at(0.0, 1.5, 0.55));
+    let view = looking(at(-11.0, 9.5, 6.5), at(0.0, 1.75, 0.85));
     let frame = looking(at(0.0, 4.2, 1.2), at(0.0, 0.0, 0.6));
     let rectangle = ImageRectangle::new(-1.5, 1.1, -0.8, 1.1).expect("an extent");
     let [distance, eye, target] = [2.6, 0.0, 4.25];
     let [u, v] = [0.65, 0.55];
     let local = |u: f64, v: f64, w: f64| frame.point([u, v, w]);
-    let mut stage = Stage::parallel(view, 4.7, [750, 470]);
+    let mut stage = Stage::parallel(view, 3.7, [750, 440]);
     let plane = corners(&frame, &rectangle, distance);
     stage = stage.area(&plane, thick(Colour::Sky), 0.15);
     for part in 1..8 {
@@ -74,7 +74,7 @@ pub fn frame_and_rectangle() -> Figure {
         (e, [2.0, 27.0], "**e**", ink(1.0)),
         (
             local(1.0, 0.0, 0.0),
-            [-13.0, 5.0],
+            [16.0, 14.0],
             "**u**",
             thick(Colour::Vermilion),
         ),
@@ -100,13 +100,13 @@ pub fn frame_and_rectangle() -> Figure {
         ),
         (
             local(rectangle.left(), level, -distance),
-            [12.0, 22.0],
+            [-36.0, 6.0],
             "*u* = *l*",
             ink(1.0),
         ),
         (
             local(rectangle.right(), level, -distance),
-            [-28.0, -8.0],
+            [36.0, 16.0],
             "*u* = *r*",
             ink(1.0),
         ),
@@ -150,9 +150,9 @@ fn boxes() -> [Vec<[DVec3; 2]>; 2] {
 
 /// The same two boxes, seen from outside with their rays, and as their images.
 pub fn two_projections() -> Figure {
-    let frame = looking(at(-0.1, 3.6, 1.1), at(-0.1, -1.0, 0.65));
-    let wide = ImageRectangle::new(-1.6, 1.8, -1.25, 1.0).expect("an extent");
-    let near = ImageRectangle::new(-0.8, 0.9, -0.625, 0.5).expect("an extent");
+    let frame = looking(at(0.2, 4.0, 1.75), at(0.1, -1.2, 0.6));
+    let wide = ImageRectangle::new(-1.95, 1.95, -1.29, 1.29).expect("an extent");
+    let near = ImageRectangle::new(-0.85, 0.85, -0.563, 0.563).expect("an extent");
     let [flat, deep] = [
         Camera::orthographic(frame, wide),
         Camera::perspective(frame, near, 1.6).expect("a distance"),
@@ -170,7 +170,7 @@ pub fn two_projections() -> Figure {
     Figure::drawn(
         "two_projections",
         "Two boxes of the same size under both projections. Orthographic rays begin on the image plane and run in parallel: both boxes have the same image but for its place. \
-         Perspective rays begin at the eye and spread: the far box is smaller, and its vertical sides lie between those of the near one.",
+         Perspective rays begin at the eye and spread: the far box is smaller.",
         "Four drawings. Above, two boxes in space and an image rectangle with four rays through its corners: parallel on the left, spreading from an eye on the right. \
          Below, the two images: on the left both boxes have the same size, on the right the far one is smaller.",
         &drawing,
@@ -181,8 +181,8 @@ const PANEL: [u32; 2] = [400, 290];
 
 /// A camera seen from outside: its rectangle, the rays through its corners, and the boxes.
 fn outside(camera: &Camera<DVec3>, rectangle: &ImageRectangle<f64>, depth: f64) -> Drawing {
-    let view = looking(at(9.0, 5.5, 5.0), at(0.0, 0.2, 0.35));
-    let mut stage = Stage::parallel(view, 6.1, PANEL);
+    let view = looking(at(9.0, 4.0, 4.2), at(0.0, 0.3, 0.75));
+    let mut stage = Stage::parallel(view, 6.6, PANEL);
     let frame = camera.frame();
     let plane = corners(frame, rectangle, depth);
     for [from, to] in boxes().concat() {
