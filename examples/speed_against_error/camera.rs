@@ -1,7 +1,10 @@
 //! The variants of the chapter *camera*: the directions of the rays of an image, and the frame.
 
 use facette::algebra::{Real, Scalar, Vector3};
-use facette::camera::{Camera, CameraFrame, ImageRectangle, ImageSize, Pixel, look_at_axes};
+use facette::camera::{
+    Camera, CameraFrame, ImageRectangle, ImageSize, Pixel, look_at_axes, perspective_ray,
+    pixel_centre,
+};
 use facette::ray::Ray;
 use glam::{DVec3, Vec3A};
 use num_traits::Signed;

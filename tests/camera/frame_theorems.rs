@@ -4,7 +4,7 @@
 use std::fmt;
 
 use facette::algebra::{Scalar, Vector3, VectorSpace};
-use facette::camera::{CameraError, CameraFrame, half_extent, look_at_axes};
+use facette::camera::{CameraError, CameraFrame, ImageRectangle, half_extent, look_at_axes};
 use proptest::prelude::*;
 
 use crate::common::exact::Exact;
@@ -219,22 +219,32 @@ fn frames_are_accepted_as_axes() {
 #[test]
 fn field_of_view_spans_the_height() {
     let name = "camera::field_of_view_spans_the_height";
-    let ordinary = (0.1..10.0_f64, 0.1..10.0_f64);
+    let ordinary = (0.1..10.0_f64, 0.1..10.0_f64, 0.2..5.0_f64);
     let hard = (
         prop::sample::select(vec![1e-30, 1e-9, 1.0, 1e6]),
         prop::sample::select(vec![1e-30, 1.0, 1e30]),
+        prop::sample::select(vec![1e-3, 1.0, 1e3]),
     );
-    Law::new(name, suspects::field_of_view).holds(ordinary, hard, |&(tangent, distance)| {
-        let angle = 2.0 * tangent.atan();
-        let exact = distance * tangent;
-        let error = (half_extent(angle, distance) - exact).abs() / exact;
-        // The arc tangent is within an ulp, 2u; the tangent of half an angle θ turns a relative error of it into θ/sin θ as much.
-        let through_the_angle = 2.0 * angle * (1.0 + tangent * tangent) / (2.0 * tangent);
-        // Beside it: 6u of the function itself, 1u for the product here.
-        expect_at_most(
-            "a relative error",
-            (through_the_angle + 7.0) * ROUNDOFF,
-            error,
-        )
-    });
+    Law::new(name, suspects::field_of_view).holds(
+        ordinary,
+        hard,
+        |&(tangent, distance, aspect)| {
+            let angle = 2.0 * tangent.atan();
+            // The arc tangent is within an ulp, 2u; the tangent of half an angle θ turns a relative error of it into θ/sin θ as much.
+            let through_the_angle = 2.0 * angle * (1.0 + tangent * tangent) / (2.0 * tangent);
+            let near = |what: &str, computed: f64, exact: f64| {
+                let error = (computed - exact).abs() / exact;
+                // Beside it: 6u of the function itself, 1u for the width, 2u for the products here.
+                expect_at_most(what, (through_the_angle + 9.0) * ROUNDOFF, error)
+            };
+            let exact = distance * tangent;
+            near("a relative error", half_extent(angle, distance), exact)?;
+            let rectangle = ImageRectangle::from_field_of_view(angle, aspect, distance);
+            let rectangle = rectangle.expect("an angle below π");
+            near("an error of the top", rectangle.top(), exact)?;
+            near("an error of the bottom", -rectangle.bottom(), exact)?;
+            near("an error of the right", rectangle.right(), aspect * exact)?;
+            near("an error of the left", -rectangle.left(), aspect * exact)
+        },
+    );
 }
