@@ -17,7 +17,6 @@
 use facette::algebra::{Real, Scalar, Vector3};
 use facette::camera::{Camera, CameraFrame, ImageRectangle, ImageSize, Pixel, pixel_centre};
 use facette::ray::Ray;
-use num_traits::One;
 
 /// `vector / √(vector · vector)`.
 pub fn plain_unit_vector<P>(vector: P) -> P
@@ -25,7 +24,7 @@ where
     P: Vector3,
     P::Scalar: Real,
 {
-    vector.times(P::Scalar::one() / vector.dot(vector).sqrt())
+    vector.times(P::Scalar::from_i32(1) / vector.dot(vector).sqrt())
 }
 
 /// The textbook's frame: w, the unit vector along `up × w`, and `w × u`.
