@@ -67,7 +67,12 @@ enum Answer<'a> {
 /// The nearest crossing inside, if it can be told by rounded numbers: not near an edge, not tangent, not equally far as another.
 fn clear_answer(all: &[Crossing]) -> Answer<'_> {
     let is_clear = |crossing: &Crossing| crossing.is_clear(MARGIN) && !crossing.along.is_zero();
-    if !all.iter().all(is_clear) || all.iter().any(|crossing| crossing.t.abs() < big(1e-9)) {
+    // A flat quadrilateral that is not convex folds over itself: two places at the same t.
+    let is_folded = all.len() == 2 && (&all[0].t - &all[1].t).abs() < big(1e-9);
+    if is_folded
+        || !all.iter().all(is_clear)
+        || all.iter().any(|crossing| crossing.t.abs() < big(1e-9))
+    {
         return Answer::Unclear;
     }
     let inside = all.iter().filter(|crossing| crossing.is_inside());
