@@ -2,8 +2,12 @@
 
 #[path = "figures/boxes.rs"]
 mod boxes;
+#[path = "figures/facets.rs"]
+mod facets;
 #[path = "figures/spheres.rs"]
 mod spheres;
+#[path = "figures/triangles.rs"]
+mod triangles;
 
 use facette_figure::FigureMaker;
 
@@ -24,5 +28,29 @@ pub const FIGURES: &[FigureMaker] = &[
     FigureMaker {
         name: "slabs",
         make: boxes::slabs,
+    },
+    FigureMaker {
+        name: "half_planes",
+        make: triangles::half_planes,
+    },
+    FigureMaker {
+        name: "barycentric_areas",
+        make: triangles::barycentric_areas,
+    },
+    FigureMaker {
+        name: "leaks",
+        make: facets::leaks,
+    },
+    FigureMaker {
+        name: "shear",
+        make: triangles::shear,
+    },
+    FigureMaker {
+        name: "fan",
+        make: triangles::fan,
+    },
+    FigureMaker {
+        name: "bilinear",
+        make: facets::bilinear,
     },
 ];

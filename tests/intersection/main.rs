@@ -12,6 +12,7 @@ mod box_theorems;
 #[path = "../common/mod.rs"]
 mod common;
 mod departures;
+mod fan_hard_cases;
 mod fan_theorems;
 mod float_boxes;
 mod float_chords;
@@ -26,6 +27,7 @@ mod patch_inputs;
 mod patch_oracle;
 mod patch_theorems;
 mod plane_theorems;
+mod quadrilateral_hard_cases;
 mod quadrilateral_inputs;
 mod quadrilateral_theorems;
 mod roots;

@@ -39,7 +39,7 @@ fn hit_and_crossing<S: Real>(place: &FloatPlace) -> Option<(Hit<[S; 3]>, ExactCr
     ))
 }
 
-/// **Exact signs.** Whatever finite numbers the triangle and the ray have, [`robust`] and `Triangle` find a hit if and only if exact arithmetic does, edges and corners
+/// **Exact signs.** Whatever finite numbers the triangle and the ray have, `robust` and `Triangle` find a hit if and only if exact arithmetic does, edges and corners
 /// included, and on the same side.
 ///
 /// The decision is a matter of signs. With $\mathbf A=\mathbf a-\mathbf o$ and so on, $U=\mathbf d\cdot(\mathbf B\times\mathbf C)$, $V=\mathbf d\cdot(\mathbf C\times\mathbf A)$ and $W=\mathbf d\cdot(\mathbf A\times\mathbf B)$ are the
@@ -98,7 +98,7 @@ fn t_is_within_its_bound<S: Real>(place: &FloatPlace, bound: &Bound) -> Verdict 
     bound.holds(t, &crossing.t, t_error)
 }
 
-/// **The error of the coordinates.** The parameters of [`robust`], the weights of $\mathbf b$ and $\mathbf c$, are within $2^{-18}$ of the exact ones, are not negative, and add up to $1+3\mathbf u$ at most.
+/// **The error of the coordinates.** The parameters of `robust`, the weights of $\mathbf b$ and $\mathbf c$, are within $2^{-18}$ of the exact ones, are not negative, and add up to $1+3\mathbf u$ at most.
 ///
 /// The fast stage is trusted only where the bounds on the errors of $U$, $V$ and $W$ are below $2^{-20}$ of their sum. If $V$ is too large by $\delta$ and the others by $\epsilon$ together, then $V/(U+V+W)$ is too large by
 /// $(1-v)\delta-v\epsilon$ over $D$, to first order: less than $2^{-20}(1+v)$. The bound is for the worst facet that is still computed fast; the errors seen are below $10^{-10}$, since the bounds on $U$, $V$ and $W$ are seldom used up.

@@ -214,3 +214,31 @@ pub fn motions() -> impl Strategy<Value = ([Exact; 4], Point)> {
         [-3..=3_i32, -3..=3, -3..=3].prop_map(|[x, y, z]| [2, x, y, z].map(Exact::from_i32));
     (quaternion, point())
 }
+
+/// Each kind of hit and miss occurs among the generated places.
+#[test]
+fn generated_places_hit_and_miss() {
+    use proptest::strategy::ValueTree;
+    use proptest::test_runner::TestRunner;
+    let mut runner = TestRunner::deterministic();
+    let mut counts = [0; 4];
+    for _ in 0..400 {
+        let mut count = |place: &Place| {
+            let kind = match (solved(place), expected(place)) {
+                (None, _) => 0,
+                (_, None) => 1,
+                (_, Some(hit)) => 2 + usize::from(hit.barycentric().contains(&Exact::zero())),
+            };
+            counts[kind] += 1;
+        };
+        count(&places().new_tree(&mut runner).expect("a place").current());
+        count(
+            &hard_places()
+                .new_tree(&mut runner)
+                .expect("a place")
+                .current(),
+        );
+    }
+    println!("{counts:?} parallel, missed, inside, on an edge");
+    assert!(counts.iter().all(|&count| count >= 40), "{counts:?}");
+}
