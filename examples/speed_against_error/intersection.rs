@@ -3,5 +3,13 @@
 use crate::Visitor;
 use crate::harness::Effort;
 
+#[path = "intersection/facets.rs"]
+mod facets;
+#[path = "intersection/triangles.rs"]
+mod triangles;
+
 /// Hands all comparisons to the visitor.
-pub fn visit(_effort: Effort, _visitor: &mut Visitor<'_>) {}
+pub fn visit(effort: Effort, visitor: &mut Visitor<'_>) {
+    triangles::visit(effort, visitor);
+    facets::visit(effort, visitor);
+}
