@@ -7,7 +7,7 @@ pub use roots::{first_root, roots_by_projection, roots_by_quadratic};
 use num_traits::{One, Zero};
 
 use super::{Hit, Intersect, IntersectionError, Side};
-use crate::algebra::{Real, Scalar, Vector3, larger, unit_vector};
+use crate::algebra::{Real, Scalar, Vector3, unit_vector};
 use crate::ray::Ray;
 use roots::Crossing;
 
@@ -89,8 +89,8 @@ where
     #[inline]
     fn scaled_line(&self, ray: &Ray<P>) -> Option<ScaledLine<P>> {
         let p = ray.origin.minus(self.centre);
-        let length = larger(p.largest_coordinate(), self.radius).power_of_two();
-        let speed = ray.direction.largest_coordinate().power_of_two();
+        let length = largest_size(p, self.radius).power_of_two();
+        let speed = largest_size(ray.direction, P::Scalar::zero()).power_of_two();
         let [per_length, per_speed] = [length, speed].map(|unit| P::Scalar::one() / unit);
         let crossing = Crossing::of(
             p.times(per_length),
@@ -120,6 +120,14 @@ where
             side: [Side::Front, Side::Back][which],
         })
     }
+}
+
+/// The largest of the coordinates' absolute values and `least`. NaN is passed over: it makes all that follows NaN, whatever the unit.
+#[inline]
+fn largest_size<P: Vector3>(vector: P, least: P::Scalar) -> P::Scalar {
+    let sizes = [0, 1, 2].map(|axis| vector.coordinate(axis).magnitude());
+    let larger = |a: P::Scalar, b: P::Scalar| if b > a { b } else { a };
+    sizes.into_iter().fold(least, larger)
 }
 
 /// A line measured in powers of two near the sizes of its numbers, so that no square overflows or underflows.
