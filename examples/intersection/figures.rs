@@ -4,8 +4,12 @@
 mod boxes;
 #[path = "figures/facets.rs"]
 mod facets;
+#[path = "figures/hit_points.rs"]
+mod hit_points;
 #[path = "figures/spheres.rs"]
 mod spheres;
+#[path = "figures/surfaces.rs"]
+mod surfaces;
 #[path = "figures/triangles.rs"]
 mod triangles;
 
@@ -52,5 +56,29 @@ pub const FIGURES: &[FigureMaker] = &[
     FigureMaker {
         name: "bilinear",
         make: facets::bilinear,
+    },
+    FigureMaker {
+        name: "acne_and_leaks",
+        make: hit_points::acne_and_leaks,
+    },
+    FigureMaker {
+        name: "error_box",
+        make: hit_points::error_box,
+    },
+    FigureMaker {
+        name: "offset_against_scale",
+        make: hit_points::offset_against_scale,
+    },
+    FigureMaker {
+        name: "silhouette",
+        make: surfaces::silhouette,
+    },
+    FigureMaker {
+        name: "as_the_ray_sees_it",
+        make: surfaces::as_the_ray_sees_it,
+    },
+    FigureMaker {
+        name: "direct_against_triangles",
+        make: surfaces::error_against_triangles,
     },
 ];

@@ -35,6 +35,7 @@ mod sphere_error_theorems;
 mod sphere_hard_cases;
 mod sphere_inputs;
 mod sphere_theorems;
+mod surface_theorems;
 mod suspects;
 mod triangle_error_theorems;
 mod triangle_floats;
