@@ -1,5 +1,7 @@
 //! The variants of the chapter *intersection*, one file for each kind of surface.
 
+mod surfaces;
+
 use crate::Visitor;
 use crate::harness::Effort;
 
@@ -20,4 +22,5 @@ pub fn visit(effort: Effort, visitor: &mut Visitor<'_>) {
     spheres::visit(effort, visitor);
     triangles::visit(effort, visitor);
     facets::visit(effort, visitor);
+    surfaces::visit(effort, visitor);
 }
