@@ -9,7 +9,7 @@
 //!
 //! # Conventions
 //!
-//! As [`Ray`](crate::ray::Ray) has them: the start of the interval does not belong to it, its end does. A hit is on the *front* where the ray arrives against the normal,
+//! As [`Ray`] has them: the start of the interval does not belong to it, its end does. A hit is on the *front* where the ray arrives against the normal,
 //! from outside. Facets run anticlockwise as seen from their front. Where two members of a group are hit at the same t, the one with the
 //! smaller number is the answer.
 //!
@@ -17,7 +17,7 @@
 //!
 //! *In the book*: [Intersection](../../../intersection.html).
 
-mod bezier_patch;
+pub mod bezier_patch;
 mod bounding_box;
 mod error;
 pub mod fan;
