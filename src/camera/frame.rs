@@ -39,7 +39,7 @@ where
 {
     let w = unit_vector(difference(eye, target))?;
     let leaning = unit_vector(known_product(unit_vector(up)?, w)?)?;
-    // Up near the view leaves few digits of the product, so it leans towards w: once more upright.
+    // With up near the view the product has lost digits and leans towards w.
     let u = unit_vector(leaning.minus(w.times(leaning.dot(w))))?;
     let v = w.cross(u);
     Some([u, v, w])
