@@ -87,7 +87,7 @@ pub enum PatchError {
 ///
 /// # Accuracy
 ///
-/// Every root with t in the ray's interval is found, but for those seen edge-on ([the module](self) says when). `t_error` bounds the distance from the exact root's t for the exact
+/// Every root with t in the ray's interval is found, but for those seen edge-on (the module says when). `t_error` bounds the distance from the exact root's t for the exact
 /// patch and ray (tested as `patch_hits_keep_their_bounds`). The point is `S(u, v)` evaluated at the hit's parameters, within
 /// `point_error = (6p + 6q + 2)u · M` of the surface, M the largest coordinate of the control points: that does not grow with t. All is computed in double precision; in single precision, rounding t and the point
 /// adds a roundoff of theirs.
