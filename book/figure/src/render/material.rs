@@ -2,7 +2,6 @@
 
 use glam::DVec3;
 
-use super::camera::Camera;
 use super::colour::decode;
 use crate::palette::Colour;
 
@@ -115,8 +114,8 @@ impl Material {
         }
     }
 
-    /// The linear colour of one point.
-    pub(super) fn shade(&self, sample: &Sample, camera: &Camera) -> DVec3 {
+    /// The linear colour of one point in the light from these directions.
+    pub(super) fn shade(&self, sample: &Sample, lights: [DVec3; 2]) -> DVec3 {
         let base = linear(self.colour);
         let colour = match self.pattern {
             Pattern::Matte => base,
@@ -136,7 +135,7 @@ impl Material {
                 striped(base, angle * f64::from(stripes))
             }
         };
-        let lit = colour * illumination(sample, camera);
+        let lit = colour * illumination(sample, lights);
         if self.is_on_isoline(sample) {
             0.3 * lit
         } else {
@@ -179,14 +178,13 @@ fn turn(x: f64, y: f64) -> f64 {
 }
 
 /// Ambient, key and fill light, which hang at the camera: the same for both sides of the surface.
-fn illumination(sample: &Sample, camera: &Camera) -> f64 {
+fn illumination(sample: &Sample, [key, fill]: [DVec3; 2]) -> f64 {
     let facing = sample.normal.dot(sample.to_eye) >= 0.0;
     let normal = if facing {
         sample.normal
     } else {
         -sample.normal
     };
-    let [key, fill] = camera.lights();
     let lambert = |light: DVec3| normal.dot(light).max(0.0);
     0.22 + 0.78 * lambert(key) + 0.2 * lambert(fill)
 }

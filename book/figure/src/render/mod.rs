@@ -1,4 +1,4 @@
-//! Pictures of surfaces, curves and points: a depth buffer in plain arithmetic, the same bytes on every machine.
+//! Pictures of surfaces, curves and points, made by the library's own rays: the same bytes on every machine.
 //!
 //! # Conventions
 //!
@@ -8,22 +8,25 @@
 //!
 //! # Numerics
 //!
-//! Only `+ - * /` and square roots are used, which are correctly rounded everywhere.
+//! Only `+ - * /` and square roots are used, which are correctly rounded everywhere. What a ray meets first is decided exactly, for
+//! positions in single precision around the middle of the scene: they are off by the 2⁻²³rd part of its size, a thousandth of a ray's
+//! distance from the next in a picture of a thousand pixels.
 
-mod camera;
 pub(crate) mod colour;
+mod facets;
 mod geometry;
 mod library;
 mod material;
 mod picture;
-mod raster;
 mod scene;
+mod trace;
+mod view;
 
-pub use camera::{Lens, View};
 pub use geometry::Triangles;
 pub use material::Material;
 pub use picture::{Picture, PngError};
 pub use scene::Scene;
+pub use view::{Lens, View};
 
 #[cfg(test)]
 mod tests;

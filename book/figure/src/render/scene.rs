@@ -2,11 +2,11 @@
 
 use glam::DVec3;
 
-use super::camera::{Camera, View};
 use super::geometry::Triangles;
 use super::material::Material;
 use super::picture::Picture;
-use super::raster;
+use super::trace;
+use super::view::View;
 use crate::palette::Colour;
 
 /// Surfaces, curves and points, seen from somewhere.
@@ -88,18 +88,14 @@ impl Scene {
     ///
     /// # Edge cases
     /// Triangles without area in the picture, and those with a NaN or infinite corner, are not seen. Where two surfaces
-    /// lie at exactly the same depth, the one added first is seen.
+    /// lie at exactly the same depth, the one added first is seen. A view that is no camera (a coordinate of the eye that is not finite, an angle
+    /// or height of 0) sees nothing.
     ///
     /// # Panics
     /// When a triangle of a mesh names a vertex that its lists do not have.
     #[must_use]
     pub fn render(&self, width: u32, height: u32) -> Picture {
-        raster::render(
-            &self.objects,
-            &Camera::new(&self.view, width, height),
-            width,
-            height,
-        )
+        trace::render(&self.objects, &self.view, width, height)
     }
 }
 
