@@ -4,8 +4,12 @@
 mod boxes;
 #[path = "figures/facets.rs"]
 mod facets;
+#[path = "first_programs.rs"]
+pub mod first_programs;
 #[path = "figures/hit_points.rs"]
 mod hit_points;
+#[path = "figures/pictures.rs"]
+pub mod pictures;
 #[path = "figures/spheres.rs"]
 mod spheres;
 #[path = "figures/surfaces.rs"]
@@ -80,5 +84,13 @@ pub const FIGURES: &[FigureMaker] = &[
     FigureMaker {
         name: "direct_against_triangles",
         make: surfaces::error_against_triangles,
+    },
+    FigureMaker {
+        name: "first_programs",
+        make: pictures::first_programs,
+    },
+    FigureMaker {
+        name: "normals",
+        make: pictures::normals,
     },
 ];

@@ -21,7 +21,11 @@ pub fn silhouette(
 ) -> Picture {
     let colour = |pixel| {
         let ray = camera.pixel_ray(size, pixel);
-        if surface.is_hit_by(&ray) { WHITE } else { BLACK }
+        if surface.is_hit_by(&ray) {
+            WHITE
+        } else {
+            BLACK
+        }
     };
     picture(size, size.pixels_in_file_order().map(colour))
 }

@@ -16,6 +16,18 @@ impl From<&Mesh<DVec3>> for Triangles {
     }
 }
 
+impl From<&Mesh<[f64; 3]>> for Triangles {
+    fn from(mesh: &Mesh<[f64; 3]>) -> Self {
+        let vectors = |list: &[[f64; 3]]| list.iter().map(|&vector| vector.into()).collect();
+        Self {
+            positions: vectors(&mesh.positions),
+            normals: vectors(&mesh.normals),
+            parameters: mesh.parameters.clone(),
+            triangles: mesh.triangles().collect(),
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
