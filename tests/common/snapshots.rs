@@ -7,7 +7,7 @@ use std::path::Path;
 use facette::algebra::unit_vector;
 use facette::surface::Surface;
 use facette_figure::difference::{Difference, assert_picture_matches};
-use facette_figure::render::Scene;
+use facette_figure::render::{Picture, Scene};
 use facette_figure::{Content, FigureMaker};
 use glam::DVec3;
 
@@ -26,12 +26,13 @@ pub fn keep(name: &str, text: &str) {
 
 /// Compares the picture of a scene with the snapshot `name`, which begins with the chapter's name.
 pub fn keep_picture(name: &str, scene: &Scene, width: u32, height: u32) {
+    keep_rendered(name, &scene.render(width, height));
+}
+
+/// Compares a picture with the snapshot `name`, which begins with the chapter's name.
+pub fn keep_rendered(name: &str, picture: &Picture) {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("snapshots/{name}.png"));
-    assert_picture_matches(
-        &path,
-        &scene.render(width, height),
-        &Difference::bound(PICTURE_BOUND),
-    );
+    assert_picture_matches(&path, picture, &Difference::bound(PICTURE_BOUND));
 }
 
 /// The words of all figures, and how large each is: a figure that comes out empty changes its line.

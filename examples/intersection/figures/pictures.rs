@@ -32,7 +32,7 @@ fn ball([x, y, z]: [f64; 3], radius: f64) -> Sphere<DVec3> {
 
 /// The scene of the second program: three spheres that run into each other and into a flat box.
 pub fn scene() -> Scene {
-    let slab = BoundingBox::new(DVec3::new(-2.4, -1.0, -1.6), DVec3::new(2.4, -0.6, 1.6));
+    let slab = BoundingBox::new(DVec3::new(-2.2, -1.0, -1.6), DVec3::new(2.2, -0.6, 1.4));
     Scene {
         surfaces: Group::new(vec![
             Box::new(slab.expect("the corners are in order")),
