@@ -2,7 +2,7 @@
 
 use facette::intersection::hierarchy::Hierarchy;
 use facette::ray::Ray;
-use glam::DVec3;
+use glam::{DVec3, Vec3};
 
 use super::scene::Object;
 use super::view::{Lens, View};
@@ -135,24 +135,20 @@ impl Facets {
     }
 }
 
-/// A ray in single precision, with its origin moved to where it passes the middle of the scene, and by how much t has shrunk there.
+/// No point of a scene that is put around the origin is farther from it: its coordinates are below 2, and 2√3 < 4.
+const REACH: f64 = 4.0;
+
+/// A ray in single precision that starts where it comes near the scene, and how much of t is left behind there.
 ///
-/// Near the middle the rounding of origin and direction moves the ray by the 2⁻²³rd part of the scene, however far away the eye is.
-pub(super) fn single(ray: &Ray<DVec3>, is_parallel: bool) -> (Ray<glam::Vec3>, f64) {
+/// So the rounding of origin and direction moves the ray by no more than a 2⁻²¹st part of the scene, however far away the eye is. Where all rays have one
+/// direction the eye is nowhere, and what is behind it is seen too.
+pub(super) fn single(ray: &Ray<DVec3>, is_parallel: bool) -> (Ray<Vec3>, f64) {
     let direction = ray.direction;
-    let middle = -ray.origin.dot(direction) / direction.length_squared();
-    let start = if is_parallel {
-        f64::NEG_INFINITY
-    } else {
-        -middle
-    };
-    #[allow(
-        clippy::cast_possible_truncation,
-        reason = "rounded to single precision, which is meant"
-    )]
-    let start = start as f32;
-    let moved = Ray::new(ray.point(middle).as_vec3(), direction.as_vec3());
-    (moved.after(start), middle)
+    let square = direction.length_squared();
+    let before = -ray.origin.dot(direction) / square - REACH / square.sqrt();
+    let left = if is_parallel { before } else { before.max(0.0) };
+    let moved = Ray::new(ray.point(left).as_vec3(), direction.as_vec3());
+    (moved, left)
 }
 
 #[cfg(test)]
@@ -208,14 +204,17 @@ mod tests {
     }
 
     #[test]
-    fn rays_far_from_the_scene_are_moved_to_it() {
-        let ray = Ray::new(DVec3::new(0.25, 0.5, 1e9), DVec3::new(0.0, 0.0, -2.0));
-        let (moved, middle) = single(&ray, false);
-        assert_eq!(
-            (moved.origin, middle),
-            (glam::Vec3::new(0.25, 0.5, 0.0), 5e8)
-        );
-        assert_eq!((moved.start, moved.end), (-5e8, None));
-        assert_eq!(single(&ray, true).0.start, f32::NEG_INFINITY);
+    fn rays_start_near_the_scene_and_never_behind_the_eye() {
+        let down = DVec3::new(0.0, 0.0, -2.0);
+        for (height, is_parallel, origin, left) in [
+            (1e9, false, 4.0, 5e8 - 2.0),
+            (1.0, false, 1.0, 0.0),
+            (-9.0, false, -9.0, 0.0),
+            (-9.0, true, 4.0, -6.5),
+        ] {
+            let ray = Ray::new(DVec3::new(0.25, 0.5, height), down);
+            let expected = Ray::new(Vec3::new(0.25, 0.5, origin), down.as_vec3());
+            assert_eq!(single(&ray, is_parallel), (expected, left));
+        }
     }
 }

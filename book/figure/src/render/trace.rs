@@ -10,7 +10,7 @@ use std::thread;
 use facette::camera::Pixel;
 use facette::intersection::hierarchy::{Found, Query};
 use facette::ray::Ray;
-use glam::{DVec3, Vec3};
+use glam::DVec3;
 
 use super::colour::encode;
 use super::facets::{Facet, Facets, single};
@@ -84,20 +84,12 @@ impl Tracer<'_> {
 
     /// The four bytes of a pixel.
     fn pixel(&self, query: &mut Query<'_>, pixel: Pixel) -> [u8; 4] {
-        let rays: [Ray<DVec3>; RAYS] = std::array::from_fn(|number| {
+        average((0..RAYS).filter_map(|number| {
             let [across, down] = [number % SAMPLES, number / SAMPLES].map(position);
-            self.sight.ray(pixel, [across, 1.0 - down])
-        });
-        let moved = rays
-            .each_ref()
-            .map(|ray| single(ray, self.sight.is_parallel()));
-        let singles: [Ray<Vec3>; RAYS] = moved.map(|(ray, _)| ray);
-        let mut found = [None; RAYS];
-        query.nearest_of(&singles, &mut found);
-        let seen = found.iter().zip(rays).zip(moved);
-        average(seen.filter_map(|((found, ray), (_, middle))| {
-            let found = found.as_ref()?;
-            Some(self.shade(found, &ray, middle + f64::from(found.hit.t)))
+            let ray = self.sight.ray(pixel, [across, 1.0 - down]);
+            let (moved, left) = single(&ray, self.sight.is_parallel());
+            let found = query.nearest(&moved)?;
+            Some(self.shade(&found, &ray, left + f64::from(found.hit.t)))
         }))
     }
 
