@@ -123,7 +123,7 @@ impl Facets {
         }
         let single: Vec<_> = list
             .iter()
-            .map(|facet| facet.corners.map(|corner| corner.as_vec3()))
+            .map(|facet| facet.corners.map(DVec3::as_vec3))
             .collect();
         let hierarchy = Hierarchy::new(&single)
             .expect("finite corners of size 1, and no more than memory holds");

@@ -9,8 +9,8 @@
 //! # Numerics
 //!
 //! Only `+ - * /` and square roots are used, which are correctly rounded everywhere. What a ray meets first is decided exactly, for
-//! positions in single precision around the middle of the scene: they are off by the 2⁻²³rd part of its size, a thousandth of a ray's
-//! distance from the next in a picture of a thousand pixels.
+//! a ray and positions in single precision around the middle of the scene. Their rounding moves the ray by no more than a 2⁻²¹st part of the
+//! scene: a five-hundredth of the way to the next ray, in a picture of a thousand pixels.
 
 pub(crate) mod colour;
 mod facets;
