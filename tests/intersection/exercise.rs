@@ -12,3 +12,6 @@ mod roots;
 mod sphere_inputs;
 mod sphere_theorems;
 mod suspects;
+mod triangle_inputs;
+mod triangle_suspects;
+mod triangle_theorems;

@@ -15,13 +15,13 @@ use crate::mistakes::{self, MISTAKES};
 type Point = [f64; 3];
 
 /// What a piece of code does: its answer in words, or a panic. In words, so that NaN is alike.
-fn behaviour<T: std::fmt::Debug>(code: impl FnOnce() -> T) -> String {
+pub fn behaviour<T: std::fmt::Debug>(code: impl FnOnce() -> T) -> String {
     let answer = catch_unwind(AssertUnwindSafe(|| format!("{:?}", code())));
     answer.unwrap_or_else(|_| "a panic".to_owned())
 }
 
 /// The mistake among those of `exercise` that behaves like the code under test; otherwise `general`. Where a mistake is of another function, its behaviour is `None`.
-fn found(
+pub fn found(
     exercise: &str,
     general: &'static str,
     wrong: impl Fn(&'static str) -> Option<Vec<String>>,

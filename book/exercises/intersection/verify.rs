@@ -68,4 +68,33 @@ pub mod intersection {
     ) -> Option<(usize, Hit<T::Point>)> {
         mistakes::nearest(chosen(), members, ray).unwrap_or_else(|| right::nearest(members, ray))
     }
+
+    /// Triangles, likewise.
+    pub mod triangle {
+        pub use reference::intersection::triangle::*;
+
+        use crate::algebra::Vector3;
+        use crate::intersection::FacetHit;
+        use crate::ray::Ray;
+        use crate::{chosen, mistakes};
+        use reference::intersection::triangle as right;
+
+        /// Exercise 5.
+        pub fn half_planes<P: Vector3>(
+            corners: &[P; 3],
+            ray: &Ray<P>,
+        ) -> Option<FacetHit<P::Scalar>> {
+            mistakes::half_planes(chosen(), corners, ray)
+                .unwrap_or_else(|| right::half_planes(corners, ray))
+        }
+
+        /// Exercise 6.
+        pub fn moller_trumbore<P: Vector3>(
+            corners: &[P; 3],
+            ray: &Ray<P>,
+        ) -> Option<FacetHit<P::Scalar>> {
+            mistakes::moller_trumbore(chosen(), corners, ray)
+                .unwrap_or_else(|| right::moller_trumbore(corners, ray))
+        }
+    }
 }
