@@ -40,21 +40,7 @@ const EQUALS: Function = ["group", "first_of_equally_near_members_is_the_answer"
 const ONCE: Function = ["group", "group_asks_every_member_once"];
 
 const HALF_PLANES: Function = ["half_planes", "three_half_planes_are_the_inside"];
-const OPEN: Function = ["half_planes", "strict_half_planes_leave_cracks"];
-const TURNED: Function = ["half_planes", "reversed_normal_turns_the_inside_out"];
 const ALL_HITS: Function = ["moller_trumbore", "hit_solves_the_equations"];
-const BORDERS: Function = [
-    "moller_trumbore",
-    "edges_and_corners_belong_to_the_triangle",
-];
-const WEIGHTS: Function = [
-    "moller_trumbore",
-    "barycentric_coordinates_reproduce_the_point",
-];
-const EXCHANGED: Function = [
-    "moller_trumbore",
-    "exchanging_two_corners_exchanges_the_sides",
-];
 const INTERVAL: Function = ["moller_trumbore", "triangle_hits_keep_to_the_interval"];
 
 const fn mistake(
@@ -113,26 +99,26 @@ pub const MISTAKES: &[Mistake] = &[
     mistake(LEAST, "farthest", "this is the farthest hit: compare the other way round"),
     mistake(EQUALS, "last_of_equals", "at the same t the member with the smaller number is the answer: replace the best only by a nearer one, t < best"),
     mistake(HALF_PLANES, "reversed_t", "the sign of t: the way to the plane is a - o, not o - a"),
-    mistake(TURNED, "reversed_normal", "the normal must turn with the corners: n = (b - a) x (c - a), or all three signs change"),
+    mistake(HALF_PLANES, "reversed_normal", "the normal must turn with the corners: n = (b - a) x (c - a), or all three signs change"),
     mistake(HALF_PLANES, "one_start_for_all", "each half-plane begins at its own edge: (c - b) x (x - b), not (c - b) x (x - a)"),
     mistake(HALF_PLANES, "last_edge_reversed", "go round: the third edge runs from c to a, as the first runs from a to b"),
     mistake(HALF_PLANES, "last_edge_forgotten", "three half-planes are needed: two bound a wedge"),
-    mistake(OPEN, "open_half_planes", "edges and corners belong to the triangle: >= 0, or a mesh has cracks"),
+    mistake(HALF_PLANES, "open_half_planes", "edges and corners belong to the triangle: >= 0, or a mesh has cracks"),
     mistake(HALF_PLANES, "line_for_ray", "the plane may lie behind the origin: ask ray.reaches(t)"),
     mistake(HALF_PLANES, "exchanged_weights", "the weight of b is the half-plane of the edge from c to a, the weight of c that of the edge from a to b"),
     mistake(HALF_PLANES, "first_two_weights", "the parameters are the weights of b and of c; the weight of a is what is left"),
     mistake(HALF_PLANES, "weights_not_divided", "the half-planes give n.n times the weights: divide"),
     mistake(HALF_PLANES, "reversed_side", "against the normal, d.n < 0, the ray hits the front"),
     mistake(ALL_HITS, "fixed_threshold", "the determinant scales with the triangle and the direction: only zero is zero"),
-    mistake(EXCHANGED, "front_only", "a triangle has two sides: the determinant may be negative"),
+    mistake(ALL_HITS, "front_only", "a triangle has two sides: the determinant may be negative"),
     mistake(ALL_HITS, "square_for_triangle", "v <= 1 and w <= 1 bound a parallelogram: the triangle needs v + w <= 1"),
-    mistake(BORDERS, "open_border", "edges and corners belong to the triangle: >= and <="),
-    mistake(INTERVAL, "line_for_the_ray", "the hit may lie behind the origin: ask ray.reaches(t)"),
-    mistake(INTERVAL, "start_is_included", "the start itself does not belong to the ray: ray.reaches(t) knows it"),
+    mistake(ALL_HITS, "open_border", "edges and corners belong to the triangle: >= and <="),
+    mistake(ALL_HITS, "line_for_the_ray", "the hit may lie behind the origin: ask ray.reaches(t)"),
+    mistake(ALL_HITS, "start_is_included", "the start itself does not belong to the ray: ray.reaches(t) knows it"),
     mistake(INTERVAL, "end_is_ignored", "the ray may end before the triangle: ray.reaches(t) knows it"),
     mistake(ALL_HITS, "undivided_t", "t is a quotient, too: divide by the determinant"),
-    mistake(WEIGHTS, "weights_exchanged", "v belongs to b and comes with p, w belongs to c and comes with q"),
-    mistake(WEIGHTS, "weights_of_a_and_b", "the parameters are the weights of b and of c"),
+    mistake(ALL_HITS, "weights_exchanged", "v belongs to b and comes with p, w belongs to c and comes with q"),
+    mistake(ALL_HITS, "weights_of_a_and_b", "the parameters are the weights of b and of c"),
     mistake(ALL_HITS, "side_reversed", "the determinant is -d.n: where it is positive, the ray hits the front"),
     mistake(ONCE, "asked_twice", "each member is asked twice: keep its hit in a variable"),
 ];

@@ -5,7 +5,7 @@ use facette::intersection::{FacetHit, Side};
 use facette::ray::Ray;
 use num_traits::{One, Zero};
 
-use super::{ALL_HITS, BORDERS, EXCHANGED, HALF_PLANES, INTERVAL, OPEN, TURNED, WEIGHTS, is_of};
+use super::{ALL_HITS, HALF_PLANES, INTERVAL, is_of};
 
 type Answer<S> = Option<FacetHit<S>>;
 
@@ -19,7 +19,7 @@ pub fn half_planes<P: Vector3>(
     corners: &[P; 3],
     ray: &Ray<P>,
 ) -> Option<Answer<P::Scalar>> {
-    is_of(&[HALF_PLANES, OPEN, TURNED], mistake).then(|| wrong_half_planes(mistake, corners, ray))
+    is_of(&[HALF_PLANES], mistake).then(|| wrong_half_planes(mistake, corners, ray))
 }
 
 fn wrong_half_planes<P: Vector3>(
@@ -104,8 +104,7 @@ pub fn moller_trumbore<P: Vector3>(
     corners: &[P; 3],
     ray: &Ray<P>,
 ) -> Option<Answer<P::Scalar>> {
-    is_of(&[ALL_HITS, BORDERS, EXCHANGED, INTERVAL, WEIGHTS], mistake)
-        .then(|| wrong_moller_trumbore(mistake, corners, ray))
+    is_of(&[ALL_HITS, INTERVAL], mistake).then(|| wrong_moller_trumbore(mistake, corners, ray))
 }
 
 fn wrong_moller_trumbore<P: Vector3>(
