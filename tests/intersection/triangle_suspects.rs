@@ -29,6 +29,8 @@ fn cases() -> Vec<([Point; 3], Ray<Point>)> {
         inside.after(hit),
         inside.until(hit),
         inside.until(hit / 2.0),
+        // So near to the plane that the wrong sign of t changes little else.
+        Ray::new(inside.point(hit - 0.01), inside.direction).after(-1.0),
     ];
     rays.extend(
         [
