@@ -28,8 +28,8 @@
 use num_traits::Zero;
 use thiserror::Error;
 
-use super::FacetHit;
-use super::triangle::{ShearedRay, facet_hit, side_along};
+use super::triangle::{ShearedRay, facet_hit};
+use super::{FacetHit, Side};
 use crate::algebra::Vector3;
 use crate::ray::Ray;
 
@@ -214,6 +214,6 @@ impl<P: Vector3> View<P> {
             return None;
         }
         let t = self.to_hub.dot(n) / along;
-        facet_hit(&self.ray, t, [-after / sum, before / sum], side_along(sum))
+        facet_hit(&self.ray, t, [-after / sum, before / sum], Side::of(sum))
     }
 }

@@ -1,14 +1,26 @@
 //! What is known of a place where a ray meets a surface.
 
-use crate::algebra::{Scalar, Vector3};
+use crate::algebra::{Real, Scalar, Vector3};
 
 /// The side of a surface that a ray arrives on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Side {
     /// Against the normal: `d · n < 0`, from outside.
     Front,
-    /// Along the normal: `d · n > 0`, from inside.
+    /// Along the normal: `d · n > 0`, from inside; and across it, `d · n = 0`, where a curved surface is only touched.
     Back,
+}
+
+impl Side {
+    /// The side that a ray arrives on, from `d · n` or a multiple of it with the same sign.
+    #[inline]
+    pub(super) fn of<S: Scalar>(along: S) -> Self {
+        if along < S::zero() {
+            Self::Front
+        } else {
+            Self::Back
+        }
+    }
 }
 
 /// Where a ray meets a facet: what a field (`+ − × ÷`) suffices for.
@@ -48,4 +60,12 @@ pub struct Hit<P: Vector3> {
     pub parameters: Option<[P::Scalar; 2]>,
     /// The side that is hit.
     pub side: Side,
+}
+
+/// The bound on the error of `value` once it is rounded to the type in which it is handed out, rounded up itself.
+pub(super) fn rounded_bound<S: Real>(value: f64, error: f64) -> S {
+    let unit = S::unit_roundoff().to_f64();
+    let is_rounded = unit > f64::unit_roundoff();
+    let rounding = if is_rounded { value.abs() * unit } else { 0.0 };
+    S::from_f64((error + rounding) * (1.0 + 4.0 * unit))
 }

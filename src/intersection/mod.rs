@@ -10,8 +10,24 @@
 //! # Conventions
 //!
 //! As [`Ray`] has them: the start of the interval does not belong to it, its end does. A hit is on the *front* where the ray arrives against the normal,
-//! from outside. Facets run anticlockwise as seen from their front. Where two members of a group are hit at the same t, the one with the
+//! from outside. Facets run anticlockwise as seen from their front, and are closed: edges and corners belong to them. Where two members of a group are hit at the same t, the one with the
 //! smaller number is the answer.
+//!
+//! Whether t belongs to the ray's interval is asked of t as it is returned, rounded to its type; two surfaces are more careful. A
+//! [`hierarchy`] asks the exact t, and a [`bezier_patch`] leaves out a t within its error of the interval's start.
+//!
+//! A hierarchy holds triangles only. Other surfaces stand beside it in a [`Group`], or enter it as the triangles of a
+//! [tessellation](crate::tessellation).
+//!
+//! # Numerics
+//!
+//! Every hit says how wrong it may be: [`Hit::t_error`] and [`Hit::point_error`] are bounds that the surfaces derive, and the tests hold them
+//! to. A ray that [leaves](leaving) a hit starts where the second of them ends.
+//!
+//! # Sources
+//!
+//! J. T. Kajiya, *Ray tracing parametric patches*, 1982; A. S. Glassner (ed.), *An Introduction to Ray Tracing*, 1989; M. Pharr, W. Jakob, G.
+//! Humphreys, *Physically Based Rendering*, 4th edition, 2023, chapter 6. The surfaces name their own.
 //!
 //! *In the course*: slides 84 to 105 (*lancer de rayon*, *intersection*).
 //!

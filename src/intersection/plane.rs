@@ -67,11 +67,7 @@ impl<P: Vector3> Plane<P> {
 
     /// The side that a ray of this direction arrives on.
     pub fn side(&self, direction: P) -> Side {
-        if direction.dot(self.normal) < P::Scalar::zero() {
-            Side::Front
-        } else {
-            Side::Back
-        }
+        Side::of(direction.dot(self.normal))
     }
 }
 
@@ -80,7 +76,7 @@ where
     P: Vector3,
     P::Scalar: Real,
 {
-    /// Bounds on the rounding of the denominator d·n, and of the numerator (a − o)·n: `γ₃` and `γ₄` times the products' absolute values.
+    /// Bounds on the rounding of the denominator d·n, and of the numerator (a − o)·n: `γ₃ <= 4u` and `γ₄ <= 5u` times the products' absolute values.
     fn rounding(&self, ray: &Ray<P>) -> [P::Scalar; 2] {
         let u = P::Scalar::unit_roundoff();
         let of_direction = absolute_dot(ray.direction, self.normal);
@@ -91,6 +87,7 @@ where
         ]
     }
 
+    /// A bound on the error of t: those of numerator and denominator, over the least that the denominator can be, and the quotient's own.
     fn t_error(&self, ray: &Ray<P>, t: P::Scalar) -> P::Scalar {
         let [of_direction, of_distance] = self.rounding(ray);
         let least_approach = ray.direction.dot(self.normal).magnitude() - of_direction;
@@ -125,6 +122,7 @@ where
     }
 }
 
+/// `Σ |a_k b_k|`, what the rounding of `a · b` is proportional to.
 fn absolute_dot<P: Vector3>(a: P, b: P) -> P::Scalar {
     let absolute = |v: P| P::from_coordinates([0, 1, 2].map(|axis| v.coordinate(axis).magnitude()));
     absolute(a).dot(absolute(b))

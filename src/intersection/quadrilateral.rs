@@ -30,8 +30,8 @@
 
 use num_traits::{One, Zero};
 
-use super::triangle::{facet_hit, side_along};
-use super::{FacetHit, Hit, Intersect, IntersectionError};
+use super::triangle::facet_hit;
+use super::{FacetHit, Hit, Intersect, IntersectionError, Side};
 use crate::algebra::{Real, Scalar, Vector3, larger, unit_vector};
 use crate::ray::Ray;
 use crate::surface::Surface;
@@ -189,7 +189,7 @@ where
         if !is_inside || along.is_zero() {
             return None;
         }
-        let hit = facet_hit(ray, t, [u, v], side_along(along))?;
+        let hit = facet_hit(ray, t, [u, v], Side::of(along))?;
         Some((hit, patch.error_of_t(place)))
     });
     match hits {

@@ -57,8 +57,9 @@ pub use search::CELL_LIMIT;
 
 use self::net::RayFrame;
 use self::search::{Root, Search};
+use super::hit::rounded_bound;
 use super::{Hit, Intersect, Side};
-use crate::algebra::{Real, Scalar, Vector3, VectorSpace, unit_vector};
+use crate::algebra::{Real, Vector3, VectorSpace, unit_vector};
 use crate::bspline::{self, BsplineError, BsplineSurface, KnotVector};
 use crate::ray::Ray;
 use crate::surface::Surface;
@@ -213,15 +214,14 @@ impl<P: Vector3<Scalar: Real>> BezierPatch<P> {
         }
         let [t, t_error] = frame.ray_parameter(root.depth, depth_error);
         let point = self.surface.point(u, v);
-        let is_back = direction.dot(normal) > 0.0;
         Some(Hit {
             t: P::Scalar::from_f64(t),
-            t_error: rounded_bound::<P>(t, t_error),
+            t_error: rounded_bound(t, t_error),
             point: P::from_coordinates(point.map(P::Scalar::from_f64)),
-            point_error: rounded_bound::<P>(point.largest_coordinate(), self.point_error),
+            point_error: rounded_bound(point.largest_coordinate(), self.point_error),
             normal: P::from_coordinates(normal.map(P::Scalar::from_f64)),
             parameters: Some(parameters),
-            side: if is_back { Side::Back } else { Side::Front },
+            side: Side::of(direction.dot(normal)),
         })
     }
 }
@@ -234,17 +234,6 @@ fn clamped_knots(degree: usize, ends: [f64; 2]) -> Result<KnotVector<f64>, Bspli
 
 fn coordinates<P: Vector3<Scalar: Real>>(point: P) -> [f64; 3] {
     [0, 1, 2].map(|axis| point.coordinate(axis).to_f64())
-}
-
-/// The bound on the error of `value` once it is rounded to the type in which it is handed out, rounded up itself.
-fn rounded_bound<P: Vector3<Scalar: Real>>(value: f64, error: f64) -> P::Scalar {
-    let unit = P::Scalar::unit_roundoff().to_f64();
-    let rounding = if unit > ROUNDOFF {
-        value.abs() * unit
-    } else {
-        0.0
-    };
-    P::Scalar::from_f64((error + rounding) * (1.0 + 4.0 * unit))
 }
 
 impl<P: Vector3<Scalar: Real>> Intersect for BezierPatch<P> {

@@ -67,8 +67,10 @@ impl<P: Vector3> BoundingBox<P> {
     #[must_use]
     pub fn union(&self, other: &Self) -> Self {
         let axes = [0, 1, 2];
-        let least = |axis| smaller(self.min.coordinate(axis), other.min.coordinate(axis));
-        let greatest = |axis| larger(self.max.coordinate(axis), other.max.coordinate(axis));
+        let least =
+            |axis| smaller_ignoring_nan(self.min.coordinate(axis), other.min.coordinate(axis));
+        let greatest =
+            |axis| larger_ignoring_nan(self.max.coordinate(axis), other.max.coordinate(axis));
         Self {
             min: P::from_coordinates(axes.map(least)),
             max: P::from_coordinates(axes.map(greatest)),
@@ -96,13 +98,13 @@ impl<P: Vector3> BoundingBox<P> {
     }
 }
 
-/// The smaller of two numbers that are not NaN.
-fn smaller<S: Scalar>(a: S, b: S) -> S {
+/// The smaller of two numbers; a where b is NaN.
+fn smaller_ignoring_nan<S: Scalar>(a: S, b: S) -> S {
     if b < a { b } else { a }
 }
 
-/// The larger of two numbers that are not NaN.
-fn larger<S: Scalar>(a: S, b: S) -> S {
+/// The larger of two numbers; a where b is NaN.
+fn larger_ignoring_nan<S: Scalar>(a: S, b: S) -> S {
     if b > a { b } else { a }
 }
 
@@ -133,8 +135,8 @@ where
             if axis == face.axis {
                 return corner.coordinate(axis);
             }
-            let at_least = larger(on_ray.coordinate(axis), self.min.coordinate(axis));
-            smaller(at_least, self.max.coordinate(axis))
+            let at_least = larger_ignoring_nan(on_ray.coordinate(axis), self.min.coordinate(axis));
+            smaller_ignoring_nan(at_least, self.max.coordinate(axis))
         };
         let one = P::Scalar::one();
         let outward = |axis| match (axis == face.axis, is_max) {

@@ -2,7 +2,7 @@
 
 use num_traits::{One, Zero};
 
-use super::{BoundingBox, larger, smaller};
+use super::{BoundingBox, larger_ignoring_nan, smaller_ignoring_nan};
 use crate::algebra::{Real, Scalar, Vector3};
 use crate::intersection::Side;
 use crate::ray::Ray;
@@ -200,8 +200,8 @@ where
             } else {
                 [to_min, to_max]
             };
-            entry = larger(entry, near);
-            exit = smaller(exit, far);
+            entry = larger_ignoring_nan(entry, near);
+            exit = smaller_ignoring_nan(exit, far);
         }
         let widening = P::Scalar::from_i32(8) * P::Scalar::unit_roundoff() * exit.magnitude();
         entry <= exit + widening

@@ -104,7 +104,7 @@ where
         })
     }
 
-    /// The point at the end of an arm from the centre.
+    /// The hit of the near root, `which` = 0, or of the far one: its point is where an arm from the centre ends.
     fn hit(&self, line: &ScaledLine<P>, which: usize) -> Option<Hit<P>> {
         let normal = unit_vector(line.crossing.arm(which))?;
         let point = self.centre.plus(normal.times(self.radius));
@@ -170,8 +170,7 @@ where
     /// # Accuracy
     ///
     /// t is within `t_error` of the true parameter where the true line meets the sphere (tested as `sphere_error_stays_below_its_bound`). A
-    /// line whose true distance from the centre is within `u (9 |o − c| + 4 r)` of r may be found to touch or to miss. Where `o − c` is
-    /// exact and the line meets or misses an axis-parallel way, nothing of that is lost. The point is moved onto the sphere: it is within
+    /// line whose true distance from the centre is within `u (9 |o − c| + 4 r)` of r may be found to touch or to miss. The point is moved onto the sphere: it is within
     /// `point_error = u (7 r + |point|)` of a point of it, however inaccurate t is (`sphere_point_error_stays_below_its_bound`).
     ///
     /// # Edge cases

@@ -2,6 +2,7 @@
 
 use super::robust::{coordinates, decide, normal};
 use crate::algebra::{Real, Scalar, Vector3, unit_vector};
+use crate::intersection::hit::rounded_bound;
 use crate::intersection::{Hit, Intersect, IntersectionError};
 use crate::ray::Ray;
 
@@ -70,9 +71,9 @@ impl<P: Vector3<Scalar: Real>> Intersect for Triangle<P> {
         let (point, point_error) = point_on(corners, crossing.parameters);
         Some(Hit {
             t,
-            t_error: bound::<P>(crossing.t, crossing.t_error),
+            t_error: rounded_bound(crossing.t, crossing.t_error),
             point: P::from_coordinates(point.map(P::Scalar::from_f64)),
-            point_error: bound::<P>(largest(point), point_error),
+            point_error: rounded_bound(largest(point), point_error),
             normal: P::from_coordinates(unit_vector(normal(corners))?.map(P::Scalar::from_f64)),
             parameters: Some(crossing.parameters.map(P::Scalar::from_f64)),
             side: crossing.side,
@@ -101,12 +102,4 @@ fn point_on([a, b, c]: [[f64; 3]; 3], [v, w]: [f64; 2]) -> ([f64; 3], f64) {
 
 fn largest(point: [f64; 3]) -> f64 {
     point.into_iter().map(f64::abs).fold(0.0, f64::max)
-}
-
-/// The bound on the error of `value` once it is rounded to the type in which it is handed out, rounded up itself.
-fn bound<P: Vector3<Scalar: Real>>(value: f64, error: f64) -> P::Scalar {
-    let unit = P::Scalar::unit_roundoff().to_f64();
-    let is_rounded = unit > f64::EPSILON;
-    let rounding = if is_rounded { value.abs() * unit } else { 0.0 };
-    P::Scalar::from_f64((error + rounding) * (1.0 + 4.0 * unit))
 }

@@ -2,9 +2,9 @@
 
 use num_traits::Zero;
 
-use super::{facet_hit, side_along};
+use super::facet_hit;
 use crate::algebra::Vector3;
-use crate::intersection::FacetHit;
+use crate::intersection::{FacetHit, Side};
 use crate::ray::Ray;
 
 /// The hit by the plane and three **closed** half-planes: a point on an edge is inside.
@@ -69,6 +69,6 @@ fn plane_and_half_planes<P: Vector3>(
     }
     let square = n.dot(n);
     let parameters = [sides[1] / square, sides[2] / square];
-    facet_hit(ray, t, parameters, side_along(along))
+    facet_hit(ray, t, parameters, Side::of(along))
 }
 // ANCHOR_END: half_planes

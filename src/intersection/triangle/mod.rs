@@ -59,16 +59,6 @@ use super::{FacetHit, Side};
 use crate::algebra::{Scalar, Vector3};
 use crate::ray::Ray;
 
-/// The side that a ray arrives on, from `d · n` or a multiple of it with the same sign.
-#[inline]
-pub(super) fn side_along<S: Scalar>(along: S) -> Side {
-    if along < S::zero() {
-        Side::Front
-    } else {
-        Side::Back
-    }
-}
-
 /// The hit, where t belongs to the ray.
 #[inline]
 pub(super) fn facet_hit<P: Vector3>(

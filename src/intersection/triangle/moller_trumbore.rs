@@ -2,9 +2,9 @@
 
 use num_traits::{One, Zero};
 
-use super::{facet_hit, side_along};
+use super::facet_hit;
 use crate::algebra::Vector3;
-use crate::intersection::FacetHit;
+use crate::intersection::{FacetHit, Side};
 use crate::ray::Ray;
 
 /// The hit by Möller and Trumbore's test: the solution of `o + t d = a + v (b − a) + w (c − a)` by Cramer's rule.
@@ -52,6 +52,6 @@ pub fn moller_trumbore<P: Vector3>(corners: &[P; 3], ray: &Ray<P>) -> Option<Fac
         return None;
     }
     let t = e2.dot(q) / determinant;
-    facet_hit(ray, t, [v, w], side_along(-determinant))
+    facet_hit(ray, t, [v, w], Side::of(-determinant))
 }
 // ANCHOR_END: moller_trumbore

@@ -2,9 +2,9 @@
 
 use num_traits::Zero;
 
-use super::{facet_hit, side_along};
+use super::facet_hit;
 use crate::algebra::{Scalar, Vector3};
-use crate::intersection::FacetHit;
+use crate::intersection::{FacetHit, Side};
 use crate::ray::Ray;
 
 /// The axes of a triangle: along the longest coordinate of its normal, and the two that follow it.
@@ -105,12 +105,7 @@ impl<S: Scalar> ShevtsovTriangle<S> {
             determinant
         };
         let parameters = [v / determinant, w / determinant];
-        facet_hit(
-            ray,
-            depth / determinant,
-            parameters,
-            side_along(along_normal),
-        )
+        facet_hit(ray, depth / determinant, parameters, Side::of(along_normal))
     }
     // ANCHOR_END: shevtsov
 }
@@ -176,7 +171,7 @@ impl<S: Scalar> BaldwinWeberTriangle<S> {
             return None;
         }
         let along_normal = if self.is_reversed { -slope } else { slope };
-        facet_hit(ray, t, [v, w], side_along(along_normal))
+        facet_hit(ray, t, [v, w], Side::of(along_normal))
     }
     // ANCHOR_END: baldwin_weber
 }

@@ -1,7 +1,7 @@
 //! A test that decides by exact signs: floating point where its error bound suffices, a long accumulator where it does not.
 
 use super::accumulator::{LongAccumulator, Scaled};
-use super::{facet_hit, side_along};
+use super::facet_hit;
 use crate::algebra::{Real, Vector3};
 use crate::intersection::{FacetHit, Side};
 use crate::ray::Ray;
@@ -18,8 +18,8 @@ const UNIT: f64 = f64::EPSILON / 2.0;
 
 /// The hit that exact arithmetic finds, for every triangle and every ray of finite numbers.
 ///
-/// Whether the triangle is hit, on which side, and whether t is positive, is decided by the signs of determinants without any
-/// error. An edge belongs to both of its triangles: no ray slips through.
+/// Whether the line meets the triangle, and on which side, is decided by the signs of determinants without any
+/// error. An edge belongs to both of its triangles: no ray slips through. Whether t lies in the ray's interval is asked of t as it is returned, rounded to its type.
 ///
 /// # Accuracy
 ///
@@ -137,7 +137,7 @@ fn quickly([a, b, c]: [[f64; 3]; 3], o: [f64; 3], d: [f64; 3]) -> Answer {
         t,
         t_error: t.abs() * (relative_error * (1.0 + 4.0 * HALF_OF_THE_DIGITS) + 2.0 * UNIT),
         parameters: [v.value / sum, w.value / sum],
-        side: side_along(along.value),
+        side: Side::of(along.value),
     };
     Answer::Sure(Some(crossing))
 }
@@ -216,7 +216,7 @@ fn exactly([a, b, c]: [[f64; 3]; 3], o: [f64; 3], d: [f64; 3]) -> Option<Crossin
     for (y, z) in [(a, b), (b, c), (c, a)] {
         height.add_determinant(-1.0, o, y, z);
     }
-    let side = side_along(f64::from(along.sign()));
+    let side = Side::of(f64::from(along.sign()));
     let along = along.rounded();
     let t = height.rounded().over(along);
     Some(Crossing {

@@ -2,9 +2,9 @@
 
 use num_traits::{One, Zero};
 
-use super::{facet_hit, side_along};
+use super::facet_hit;
 use crate::algebra::{Scalar, Vector3};
-use crate::intersection::FacetHit;
+use crate::intersection::{FacetHit, Side};
 use crate::ray::Ray;
 
 /// The hit by Woop, Benthin and Wald's test: no ray slips between two triangles that share an edge, or through a corner that they share.
@@ -108,7 +108,7 @@ impl<P: Vector3> ShearedRay<P> {
         }
         let t = (u * a[2] + v * b[2] + w * c[2]) / determinant;
         let parameters = [v / determinant, w / determinant];
-        facet_hit(&self.ray, t, parameters, side_along(-determinant))
+        facet_hit(&self.ray, t, parameters, Side::of(-determinant))
     }
     // ANCHOR_END: watertight
 }
