@@ -32,8 +32,9 @@ pub fn visit(effort: Effort, visitor: &mut Visitor<'_>) {
 /// A gently bent bicubic graph, and rays that meet it once, at a whole number for t: single precision holds them exactly.
 fn meetings(count: usize) -> Vec<ThroughAPoint> {
     let heights = [0, 1, -1, 0, 1, 0, 2, -1, 0, -2, 1, 1, 1, 0, -1, 0];
-    let control_points: Vec<[i32; 3]> = (0..16)
-        .map(|k| [4 * (k % 4), 4 * (k / 4), heights[k as usize]])
+    let control_points: Vec<[i32; 3]> = (0..)
+        .zip(heights)
+        .map(|(k, height)| [4 * (k % 4), 4 * (k / 4), height])
         .collect();
     let whole = |k: usize, modulus: usize| i32::try_from(k % modulus).expect("a small number");
     (0..count)
