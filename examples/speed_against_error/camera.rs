@@ -10,7 +10,7 @@ use glam::{DVec3, Vec3A};
 use num_traits::Signed;
 
 use crate::Visitor;
-use crate::common::oracle::{Big, big, big_point};
+use crate::common::oracle::{Big, big, big_cross, big_length, big_minus, big_point};
 use crate::float_inputs::{FloatPoint, coordinates, rounded};
 use crate::harness::{Comparison, Effort, Exact, ExactPoint, lazily};
 use variants::{AddedRow, SteppedRow, ray_through_s, slides_place, textbook_axes};
@@ -263,33 +263,18 @@ fn library<P: CameraPoint>([eye, target, up]: [P; 3]) -> [P; 3] {
 fn exact_frames<P: CameraPoint>(views: &[[P; 3]]) -> Vec<ExactPoint> {
     let of_view = |view: &[P; 3]| {
         let [eye, target, up] = view.map(|point| big_point(coordinates(point)));
-        let back: ExactPoint = std::array::from_fn(|k| &eye[k] - &target[k]);
-        let w = unit(&back);
-        let u = unit(&cross(&up, &w));
-        let v = cross(&w, &u);
+        let w = unit(&big_minus(&eye, &target));
+        let u = unit(&big_cross(&up, &w));
+        let v = big_cross(&w, &u);
         [u, v, w]
     };
     views.iter().flat_map(of_view).collect()
 }
 
-fn cross(a: &ExactPoint, b: &ExactPoint) -> ExactPoint {
-    [(1, 2), (2, 0), (0, 1)].map(|(j, k)| &a[j] * &b[k] - &a[k] * &b[j])
-}
-
 /// The unit vector to 60 digits, which is exact enough to measure errors of the sixteenth.
 fn unit(vector: &ExactPoint) -> ExactPoint {
-    let square: Big = vector
-        .iter()
-        .map(|coordinate| coordinate * coordinate)
-        .sum();
-    let length = square_root(&square);
+    let length = big_length(vector);
     std::array::from_fn(|k| shortened(&(&vector[k] / &length)))
-}
-
-fn square_root(square: &Big) -> Big {
-    let scale = num_bigint::BigInt::from(10).pow(70);
-    let scaled = square.numer() * &scale * &scale / square.denom();
-    Big::new(scaled.sqrt(), scale)
 }
 
 /// The nearest multiple of 10⁻⁶⁰: without it numerators double with every operation.

@@ -8,7 +8,7 @@ use num_traits::{One, Signed, ToPrimitive, Zero};
 
 use crate::bound::Bound;
 use crate::common::law::{Broken, Law, Verdict, expect_at_most, expect_equal};
-use crate::common::oracle::{Big, big};
+use crate::common::oracle::{Big, big, big_cross, big_dot, big_minus};
 use crate::float_inputs::{FloatPoint, FloatView, hard_views, views};
 use crate::suspects;
 
@@ -25,19 +25,6 @@ macro_rules! holds_in_both {
             bound.is_used_up_to(0.05);
         }
     };
-}
-
-fn dot(a: &[Big; 3], b: &[Big; 3]) -> Big {
-    &a[0] * &b[0] + &a[1] * &b[1] + &a[2] * &b[2]
-}
-
-fn cross(a: &[Big; 3], b: &[Big; 3]) -> [Big; 3] {
-    let minor = |j: usize, k: usize| &a[j] * &b[k] - &a[k] * &b[j];
-    [minor(1, 2), minor(2, 0), minor(0, 1)]
-}
-
-fn minus(a: &[Big; 3], b: &[Big; 3]) -> [Big; 3] {
-    [0, 1, 2].map(|axis| &a[axis] - &b[axis])
 }
 
 fn largest(vector: &[Big; 3]) -> Big {
@@ -81,20 +68,20 @@ fn orthonormality<P: FloatPoint>(view: &FloatView, bound: &Bound) -> Verdict {
     for (i, a) in axes.iter().enumerate() {
         for (j, b) in axes.iter().enumerate() {
             let expected = if i == j { Big::one() } else { Big::zero() };
-            bound.holds(&(dot(a, b) - expected), &allowed)?;
+            bound.holds(&(big_dot(a, b) - expected), &allowed)?;
         }
     }
     expect_equal(
         &true,
-        &dot(&cross(&axes[0], &axes[1]), &axes[2]).is_positive(),
+        &big_dot(&big_cross(&axes[0], &axes[1]), &axes[2]).is_positive(),
     )
 }
 
 /// A refused frame has no view, no up, or a product `up × (e − c)` that is at most 40u of its largest term: 32u by the test, 8u by its error.
 fn refusal_is_justified<P: FloatPoint>(eye: P, target: P, up: P) -> Verdict {
-    let back = minus(&eye.big(), &target.big());
+    let back = big_minus(&eye.big(), &target.big());
     let up = up.big();
-    let product = largest(&cross(&up, &back));
+    let product = largest(&big_cross(&up, &back));
     let allowed = big(40.0 * P::roundoff()) * largest_term(&up, &back);
     expect_equal(&true, &(product <= allowed))
 }
@@ -117,12 +104,12 @@ fn turning<P: FloatPoint>(view: &FloatView, bound: &Bound) -> Verdict {
     let Some([u, _, w]) = look_at_axes(eye, target, up) else {
         return refusal_is_justified(eye, target, up);
     };
-    let back = minus(&eye.big(), &target.big());
+    let back = big_minus(&eye.big(), &target.big());
     let up = up.big();
     backwards_axis(&w.exact(), &back, P::roundoff())?;
-    let (u, product) = (u.big(), cross(&up, &back));
-    let beside = cross(&u, &product);
-    let squared = |vector: &[Big; 3]| dot(vector, vector);
+    let (u, product) = (u.big(), big_cross(&up, &back));
+    let beside = big_cross(&u, &product);
+    let squared = |vector: &[Big; 3]| big_dot(vector, vector);
     let sine_squared = squared(&beside) / (squared(&u) * squared(&product));
     let root = |square: Big| square.to_f64().unwrap_or(f64::INFINITY).sqrt();
     let term = largest_term(&up, &back);
@@ -133,7 +120,7 @@ fn turning<P: FloatPoint>(view: &FloatView, bound: &Bound) -> Verdict {
 
 /// Each coordinate of w that is a normal number, squared, is within (1 + 6u)² of its exact square.
 fn backwards_axis(w: &[f64; 3], back: &[Big; 3], roundoff: f64) -> Verdict {
-    let length_squared = dot(back, back);
+    let length_squared = big_dot(back, back);
     for (computed, exact) in w.iter().zip(back) {
         let square = exact * exact / &length_squared;
         if square.to_f64().unwrap_or(0.0) < f64::from(f32::MIN_POSITIVE) {
@@ -213,9 +200,9 @@ fn projection_error_stays_below_its_bound() {
 fn projection_error<P: FloatPoint>(view: &FloatView, bound: &Bound) -> Verdict {
     let frame = frame::<P>(view).ok_or(no_frame())?;
     let (point, distance) = (P::rounded(view.point), P::number(view.distance));
-    let from_eye = minus(&point.big(), &frame.eye().big());
+    let from_eye = big_minus(&point.big(), &frame.eye().big());
     let axes = frame.axes().map(FloatPoint::big);
-    let [x, y, behind] = axes.each_ref().map(|axis| dot(&from_eye, axis));
+    let [x, y, behind] = axes.each_ref().map(|axis| big_dot(&from_eye, axis));
     let delta = axes.each_ref().map(|axis| {
         let size = (0..3).map(|k| (&axis[k] * &from_eye[k]).abs());
         let size = size.fold(Big::zero(), |sum, term| sum + term);

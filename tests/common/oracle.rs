@@ -21,6 +21,40 @@ pub fn big_point<const N: usize>(point: [f64; N]) -> [Big; N] {
     point.map(big)
 }
 
+/// The difference of two points.
+pub fn big_minus(a: &[Big; 3], b: &[Big; 3]) -> [Big; 3] {
+    std::array::from_fn(|axis| &a[axis] - &b[axis])
+}
+
+/// The scalar product.
+pub fn big_dot(a: &[Big; 3], b: &[Big; 3]) -> Big {
+    let terms = a.iter().zip(b).map(|(a, b)| a * b);
+    terms.fold(Big::zero(), |sum, term| sum + term)
+}
+
+/// The vector product.
+pub fn big_cross(a: &[Big; 3], b: &[Big; 3]) -> [Big; 3] {
+    [(1, 2), (2, 0), (0, 1)].map(|(j, k)| &a[j] * &b[k] - &a[k] * &b[j])
+}
+
+/// How many bits of a square root are kept at least: more than 200 decimal digits.
+const ROOT_BITS: u64 = 700;
+
+/// The square root of a number that is not negative, to a relative error below `2^-690`.
+pub fn big_sqrt(value: &Big) -> Big {
+    assert!(!value.is_negative(), "{value} has no real root");
+    // √(n / d) = √(n d) / d, and √(n d 4^k) = 2^k √(n d): k so large that the integer root has enough bits.
+    let product = value.numer() * value.denom();
+    let doublings = ROOT_BITS.saturating_sub(product.bits() / 2);
+    let root: BigInt = (product << (2 * doublings)).sqrt();
+    Big::new(root, value.denom() << doublings)
+}
+
+/// The length of a vector, to a relative error below `2^-690`.
+pub fn big_length(vector: &[Big; 3]) -> Big {
+    big_sqrt(&big_dot(vector, vector))
+}
+
 /// The point `Σ weights[i] · points[i]`.
 pub fn big_combination<const N: usize>(weights: &[Big], points: &[[Big; N]]) -> [Big; N] {
     assert_eq!(weights.len(), points.len(), "one weight for each point");
@@ -137,4 +171,21 @@ fn the_oracle_knows_what_floating_point_loses() {
     );
     assert_eq!(ulp(1.0, f64::EPSILON / 2.0), f64::EPSILON);
     assert_eq!(ulp(0.75, f64::EPSILON / 2.0), f64::EPSILON / 2.0);
+}
+
+#[test]
+fn the_oracle_has_two_hundred_digits_of_a_root() {
+    let two = Big::from_integer(2.into());
+    let root = big_sqrt(&two);
+    let away = (&root * &root - &two).abs();
+    let limit = Big::new(1.into(), BigInt::from(10).pow(200));
+    assert!(away < limit && !away.is_zero());
+    let tiny = Big::new(1.into(), BigInt::from(3).pow(1000));
+    let root = big_sqrt(&tiny);
+    assert!(((&root * &root - &tiny) / &tiny).abs() < limit);
+    assert_eq!(
+        big_sqrt(&Big::new(9.into(), 4.into())),
+        Big::new(3.into(), 2.into())
+    );
+    assert_eq!(big_sqrt(&Big::zero()), Big::zero());
 }

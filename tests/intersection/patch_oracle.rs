@@ -4,7 +4,7 @@ use facette::ray::Ray;
 use num_bigint::BigInt;
 use num_traits::{Signed, ToPrimitive, Zero};
 
-use crate::common::oracle::{Big, big, big_bernstein};
+use crate::common::oracle::{Big, big, big_bernstein, big_cross, big_dot, big_minus, big_sqrt};
 use crate::patch_inputs::big_patch_point;
 
 /// A root in arbitrary precision.
@@ -19,21 +19,6 @@ fn rounded(x: &Big) -> Big {
     let scale = BigInt::from(1) << DIGITS;
     let scaled = (x * Big::from_integer(scale.clone())).round();
     scaled / Big::from_integer(scale)
-}
-
-fn minus(a: &[Big; 3], b: &[Big; 3]) -> [Big; 3] {
-    std::array::from_fn(|i| &a[i] - &b[i])
-}
-
-fn cross(a: &[Big; 3], b: &[Big; 3]) -> [Big; 3] {
-    std::array::from_fn(|i| {
-        let [j, k] = [(i + 1) % 3, (i + 2) % 3];
-        &a[j] * &b[k] - &a[k] * &b[j]
-    })
-}
-
-fn dot(a: &[Big; 3], b: &[Big; 3]) -> Big {
-    (0..3).fold(Big::zero(), |sum, i| sum + &a[i] * &b[i])
 }
 
 /// The patch's partial derivative, from the differences of its control points.
@@ -74,30 +59,26 @@ pub fn refined_root(
         let s = big_patch_point(degrees, points, [&u, &v]);
         let [s_u, s_v] = [true, false].map(|along_u| partial(degrees, points, [&u, &v], along_u));
         // S + a S_u + b S_v = o + t d, by Cramer's rule with d · (S_u × S_v).
-        let r = minus(&origin, &s);
-        let n = cross(&s_u, &s_v);
-        let determinant = dot(&d, &n);
-        let steps = [dot(&d, &cross(&r, &s_v)), dot(&d, &cross(&s_u, &r))];
-        t = rounded(&(-dot(&r, &n) / &determinant));
+        let r = big_minus(&origin, &s);
+        let n = big_cross(&s_u, &s_v);
+        let determinant = big_dot(&d, &n);
+        let steps = [
+            big_dot(&d, &big_cross(&r, &s_v)),
+            big_dot(&d, &big_cross(&s_u, &r)),
+        ];
+        t = rounded(&(-big_dot(&r, &n) / &determinant));
         u = rounded(&(u + &steps[0] / &determinant));
         v = rounded(&(v + &steps[1] / &determinant));
     }
     let s = big_patch_point(degrees, points, [&u, &v]);
     let left = (0..3).map(|i| (&s[i] - &origin[i] - &t * &d[i]).abs());
     let left = left.fold(Big::zero(), |a, b| if b > a { b } else { a });
-    let size = dot(&d, &d).to_f64().expect("finite").sqrt();
+    let size = big_dot(&d, &d).to_f64().expect("finite").sqrt();
     assert!(
         left.to_f64().expect("finite") <= 1e-40 * (1.0 + size),
         "Newton's method does not converge from {start:?}"
     );
     ExactRoot { t }
-}
-
-/// The square root, to so many binary digits.
-fn square_root(x: &Big) -> Big {
-    let scale = BigInt::from(1) << (2 * DIGITS);
-    let scaled = (x * Big::from_integer(scale)).to_integer();
-    Big::new(scaled.sqrt(), BigInt::from(1) << DIGITS)
 }
 
 /// The parameters t > 0 at which the ray meets the bilinear patch with corners `S(0,0), S(1,0), S(0,1), S(1,1)`, in order. `None` where a root is too near
@@ -107,8 +88,13 @@ pub fn bilinear_roots(corners: &[[f64; 3]], ray: &Ray<[f64; 3]>) -> Option<Vec<f
     let [a, b, c, e] = [0, 1, 2, 3].map(|i| corners[i].map(big));
     let [origin, d] = [ray.origin, ray.direction].map(|p| p.map(big));
     // S(u, v) − o = k0 + k1 u + k2 v + k3 u v; its product with two planes through the ray.
-    let twist = minus(&minus(&e, &b), &minus(&c, &a));
-    let k = [minus(&a, &origin), minus(&b, &a), minus(&c, &a), twist];
+    let twist = big_minus(&big_minus(&e, &b), &big_minus(&c, &a));
+    let k = [
+        big_minus(&a, &origin),
+        big_minus(&b, &a),
+        big_minus(&c, &a),
+        twist,
+    ];
     let axis = (0..3).max_by(|&i, &j| d[i].abs().cmp(&d[j].abs()))?;
     let planes = [1, 2].map(|step| {
         let other = (axis + step) % 3;
@@ -131,7 +117,7 @@ pub fn bilinear_roots(corners: &[[f64; 3]], ray: &Ray<[f64; 3]>) -> Option<Vec<f
     if discriminant.is_negative() {
         return Some(Vec::new());
     }
-    let root = square_root(&discriminant);
+    let root = big_sqrt(&discriminant);
     let [zero, one, two] = [0, 1, 2].map(|n| Big::from_integer(n.into()));
     let mut found = Vec::new();
     for sign in [-1, 1] {

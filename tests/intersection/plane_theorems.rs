@@ -10,9 +10,8 @@ use crate::bound::Bound;
 use crate::common::exact::{Exact, fraction};
 use crate::common::generators::{coordinate, point};
 use crate::common::law::{Law, Verdict, expect_equal};
-use crate::common::oracle::big_point;
+use crate::common::oracle::{big_dot, big_length, big_minus, big_point};
 use crate::float_chords::{Float, float_vector};
-use crate::roots::{big_dot, big_length, big_minus};
 use crate::sphere_inputs::integer_motions;
 use crate::suspects;
 

@@ -7,8 +7,7 @@ use facette::ray::Ray;
 use num_traits::{One, Signed, Zero};
 use proptest::prelude::*;
 
-use crate::common::oracle::{Big, big, big_point};
-use crate::triangle_floats::{big_cross, big_dot, big_minus};
+use crate::common::oracle::{Big, big, big_cross, big_dot, big_minus, big_point};
 
 pub type Point = [f64; 3];
 type BigPoint = [Big; 3];

@@ -10,9 +10,9 @@ use proptest::prelude::*;
 
 use crate::bound::Bound;
 use crate::common::law::{Broken, Law, Verdict, expect_at_most, expect_equal};
-use crate::common::oracle::{Big, big, big_point};
+use crate::common::oracle::{Big, big, big_dot, big_length, big_minus, big_point};
 use crate::float_chords::{Float, FloatChord, float_chords, hard_float_chords};
-use crate::roots::{big_dot, big_length, big_minus, big_passing_distance, big_roots};
+use crate::roots::{big_passing_distance, big_roots};
 use crate::sphere_inputs::{hard_integer_chords, integer_chords};
 use crate::suspects;
 

@@ -7,7 +7,7 @@ use num_traits::{One, Signed, ToPrimitive};
 
 use crate::bound::Bound;
 use crate::common::law::{Law, Verdict, expect_at_most, expect_equal};
-use crate::common::oracle::{Big, big, big_point};
+use crate::common::oracle::{Big, big, big_dot, big_minus, big_point};
 use crate::suspects;
 use crate::triangle_floats::{
     ExactCrossing, FloatPlace, exact_normal, exact_point, exactly, float_places, hard_float_places,
@@ -217,8 +217,7 @@ fn condition(place: &FloatPlace) -> Option<(f64, ExactCrossing)> {
             .expect("three coordinates")
     };
     let [a, b, c] = place.corners.map(big_point);
-    let edges =
-        [[&b, &a], [&c, &b], [&a, &c]].map(|[p, q]| size(&crate::triangle_floats::big_minus(p, q)));
+    let edges = [[&b, &a], [&c, &b], [&a, &c]].map(|[p, q]| size(&big_minus(p, q)));
     let edge = edges.into_iter().max().expect("three edges");
     let reach = [&a, &b, &c, &big_point(place.origin)]
         .map(size)
@@ -227,7 +226,7 @@ fn condition(place: &FloatPlace) -> Option<(f64, ExactCrossing)> {
         .expect("four points");
     let n = exact_normal(place.corners);
     let d = big_point(place.direction);
-    let along = crate::triangle_floats::big_dot(&d, &n).abs();
+    let along = big_dot(&d, &n).abs();
     let length = d
         .iter()
         .fold(Big::from_integer(0.into()), |sum, x| sum + x.abs());

@@ -7,7 +7,7 @@ use num_traits::{Signed, Zero};
 use proptest::prelude::*;
 
 use crate::common::generators::{float_coordinate, float_parameter, hard_float_parameter};
-use crate::common::oracle::{Big, big, big_point};
+use crate::common::oracle::{Big, big, big_cross, big_dot, big_minus, big_point};
 
 /// A triangle and a ray, drawn in `f64` and rounded to the type under test.
 #[derive(Clone, Copy, Debug)]
@@ -123,20 +123,6 @@ impl ExactCrossing {
     pub fn is_hit(&self) -> bool {
         self.weights.iter().all(|weight| !weight.is_negative()) && self.t.is_positive()
     }
-}
-
-pub fn big_minus(a: &[Big; 3], b: &[Big; 3]) -> [Big; 3] {
-    std::array::from_fn(|axis| &a[axis] - &b[axis])
-}
-
-pub fn big_cross(a: &[Big; 3], b: &[Big; 3]) -> [Big; 3] {
-    [(1, 2), (2, 0), (0, 1)].map(|(j, k)| &a[j] * &b[k] - &a[k] * &b[j])
-}
-
-pub fn big_dot(a: &[Big; 3], b: &[Big; 3]) -> Big {
-    (0..3)
-        .map(|axis| &a[axis] * &b[axis])
-        .fold(Big::zero(), |sum, term| sum + term)
 }
 
 /// The crossing, by the signed volumes of the corners as seen from the origin.

@@ -7,11 +7,11 @@ use facette::intersection::{
 use facette::ray::Ray;
 use num_traits::{AsPrimitive, Signed, Zero};
 
-use super::roots::{big_minus, big_roots};
+use super::roots::big_roots;
 use super::variants_spheres::{ignoring_slabs, propagating_slabs, slabs_by_sign, unwidened_slabs};
 use crate::Visitor;
 use crate::answers::{Answer, Truth, Truths};
-use crate::common::oracle::{Big, big, big_point};
+use crate::common::oracle::{Big, big, big_minus, big_point};
 use crate::float_inputs::FloatPoint;
 use crate::harness::{Comparison, Effort, lazily};
 
