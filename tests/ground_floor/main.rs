@@ -16,6 +16,7 @@ mod obj_hard_cases;
 mod obj_normal_hard_cases;
 mod obj_normal_theorems;
 mod obj_theorems;
+mod polygon_hard_cases;
 mod polygon_theorems;
 mod polyline_theorems;
 mod rust_tour;

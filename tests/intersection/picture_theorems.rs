@@ -90,7 +90,7 @@ fn at_each_pixel(
 
 /// **The first program draws a disk.** Seen by parallel rays, a sphere of radius $r$ is white at exactly those pixels whose centres lie nearer than $r$ to its axis of sight, and the rest of the picture is black.
 ///
-/// Course: R06, slide 103, the first program: white on a hit.
+/// Course: plan, slide 103, the first program: white on a hit.
 #[test]
 fn first_program_draws_a_disk() {
     let theorem = law("intersection::first_program_draws_a_disk");
@@ -110,7 +110,7 @@ fn first_program_draws_a_disk() {
 /// **The second program shows the nearest.** Each pixel has the colour of the sphere whose front $z+\sqrt{r^2-\varrho^2}$ is highest there, $\varrho$ being the distance of the pixel's centre from the sphere's axis, whatever the order of the spheres in the
 /// scene; of equal ones the first; and it is black where there is none. Fronts that differ by less than $2^{-40}$ are told apart by rounding, and may show either sphere.
 ///
-/// Course: R06, slide 105, the nearest surface in its colour.
+/// Course: plan, slide 105, the nearest surface in its colour.
 #[test]
 fn second_program_shows_the_nearest_surface() {
     let theorem = law("intersection::second_program_shows_the_nearest_surface");

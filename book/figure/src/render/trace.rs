@@ -83,6 +83,7 @@ impl Tracer<'_> {
     }
 
     /// The four bytes of a pixel.
+    // ANCHOR: pixel
     fn pixel(&self, query: &mut Query<'_>, pixel: Pixel) -> [u8; 4] {
         average((0..RAYS).filter_map(|number| {
             let [across, down] = [number % SAMPLES, number / SAMPLES].map(position);
@@ -92,6 +93,7 @@ impl Tracer<'_> {
             Some(self.shade(&found, &ray, left + f64::from(found.hit.t)))
         }))
     }
+    // ANCHOR_END: pixel
 
     /// The colour of what a ray meets at t.
     fn shade(&self, found: &Found, ray: &Ray<DVec3>, t: f64) -> DVec3 {
@@ -130,6 +132,7 @@ impl Tracer<'_> {
     /// How the weights of a facet's corners change when the ray moves by a pixel to the right, or by one up.
     ///
     /// The hit point o + t d moves with o and d, and along d so far that it stays in the facet's plane.
+    // ANCHOR: steps_on
     fn steps_on(&self, facet: &Facet, ray: &Ray<DVec3>, t: f64) -> [[f64; 3]; 2] {
         let (normal, d) = (facet.normal(), ray.direction);
         self.sight.pixel_steps().map(|step| {
@@ -141,6 +144,7 @@ impl Tracer<'_> {
             facet.weight_changes(step - d * (normal.dot(step) / normal.dot(d)))
         })
     }
+    // ANCHOR_END: steps_on
 }
 
 /// Where a ray passes through its pixel, of one row or column of rays.
