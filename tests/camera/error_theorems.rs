@@ -6,7 +6,7 @@ use facette::camera::{
 };
 use num_traits::{One, Signed, ToPrimitive, Zero};
 
-use crate::bound::Bound;
+use crate::common::bound::Bound;
 use crate::common::law::{Broken, Law, Verdict, expect_at_most, expect_equal};
 use crate::common::oracle::{Big, big, big_cross, big_dot, big_minus};
 use crate::float_inputs::{FloatPoint, FloatView, hard_views, views};
@@ -68,7 +68,7 @@ fn orthonormality<P: FloatPoint>(view: &FloatView, bound: &Bound) -> Verdict {
     for (i, a) in axes.iter().enumerate() {
         for (j, b) in axes.iter().enumerate() {
             let expected = if i == j { Big::one() } else { Big::zero() };
-            bound.holds(&(big_dot(a, b) - expected), &allowed)?;
+            bound.holds_error(&(big_dot(a, b) - expected), &allowed)?;
         }
     }
     expect_equal(
@@ -115,7 +115,7 @@ fn turning<P: FloatPoint>(view: &FloatView, bound: &Bound) -> Verdict {
     let term = largest_term(&up, &back);
     let quotient = root(&term * &term / squared(&product));
     let allowed = (8.0 * 3_f64.sqrt() * quotient + 12.0) * P::roundoff();
-    bound.holds(&big(root(sine_squared)), &big(allowed))
+    bound.holds_error(&big(root(sine_squared)), &big(allowed))
 }
 
 /// Each coordinate of w that is a normal number, squared, is within (1 + 6u)² of its exact square.
@@ -167,11 +167,11 @@ fn ray_error<P: FloatPoint>(view: &FloatView, bound: &Bound) -> Verdict {
         let slack = big(P::SMALLEST) * big(4.0);
         let allowed = |sum: Big| big(3.0 * P::roundoff()) * sum + &slack;
         let size = across.abs() + up.abs();
-        bound.holds(
+        bound.holds_error(
             &(&direction[k] - (&across + &up - &back)),
             &allowed(&size + back.abs()),
         )?;
-        bound.holds(
+        bound.holds_error(
             &(&origin[k] - (&across + &up + &eye[k])),
             &allowed(&size + eye[k].abs()),
         )?;
@@ -209,8 +209,8 @@ fn projection_error<P: FloatPoint>(view: &FloatView, bound: &Bound) -> Verdict {
         big(4.0 * P::roundoff()) * size + big(P::SMALLEST) * big(4.0)
     });
     let flat = project_orthographic(&frame, point).map(|number| big(number.into()));
-    bound.holds(&(&flat[0] - &x), &delta[0])?;
-    bound.holds(&(&flat[1] - &y), &delta[1])?;
+    bound.holds_error(&(&flat[0] - &x), &delta[0])?;
+    bound.holds_error(&(&flat[1] - &y), &delta[1])?;
     let depth = -behind;
     let known = &depth - &delta[2];
     let image = project_perspective(&frame, distance, point);
@@ -227,7 +227,7 @@ fn projection_error<P: FloatPoint>(view: &FloatView, bound: &Bound) -> Verdict {
         let place = &distance * exact / &depth;
         let through = &distance * (delta_a + &delta[2] * (exact / &depth).abs()) / &known;
         let allowed = through + big(3.0 * P::roundoff()) * place.abs() + big(P::SMALLEST);
-        bound.holds(&(big(computed.into()) - place), &allowed)?;
+        bound.holds_error(&(big(computed.into()) - place), &allowed)?;
     }
     Ok(())
 }

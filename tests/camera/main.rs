@@ -4,7 +4,6 @@
     reason = "theorems and hard cases promise the same bits"
 )]
 
-mod bound;
 #[path = "../common/mod.rs"]
 mod common;
 mod error_theorems;

@@ -7,7 +7,7 @@ use facette::camera::{ImageRectangle, ImageSize, Pixel, half_extent, pixel_centr
 use num_traits::{One, Signed, Zero};
 use proptest::prelude::*;
 
-use crate::bound::Bound;
+use crate::common::bound::Bound;
 use crate::common::law::{Law, Verdict, expect_equal};
 use crate::common::oracle::{Big, big};
 use crate::float_inputs::FloatPoint;
@@ -101,7 +101,7 @@ fn place_error<P: FloatPoint>(
     ] {
         let allowed = big(roundoffs * P::roundoff()) * &largest;
         for place in places {
-            bound.holds(&(big(place.into()) - &exact), &allowed)?;
+            bound.holds_error(&(big(place.into()) - &exact), &allowed)?;
         }
     }
     Ok(())
@@ -169,7 +169,7 @@ fn extent_error<P: FloatPoint>(angle: f64, distance: f64, bound: &Bound) -> Verd
     let exact = big(distance.into()) * tangent;
     let computed = big(half_extent(angle, distance).into());
     let allowed = big(6.0 * P::roundoff()) * &exact;
-    bound.holds(&(computed - &exact), &allowed)
+    bound.holds_error(&(computed - &exact), &allowed)
 }
 
 /// The series `Σ (−1)ⁿ xᵏ / k!` over k = first, first + 2, ...: sine from 1, cosine from 0, to more than 30 digits below π/2.

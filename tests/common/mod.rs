@@ -2,6 +2,7 @@
 //! trouble, and laws that explain how they were broken.
 #![allow(dead_code, reason = "each chapter uses its part of this toolbox")]
 
+pub mod bound;
 pub mod dual;
 pub mod exact;
 pub mod generators;

@@ -8,7 +8,7 @@ use facette::ray::Ray;
 use num_traits::Signed;
 use proptest::prelude::*;
 
-use crate::bound::Bound;
+use crate::common::bound::Bound;
 use crate::common::law::{Broken, Law, Verdict, expect_equal};
 use crate::common::oracle::{Big, big, big_point};
 use crate::float_boxes::{FloatBox, big_interval, float_boxes, hard_float_boxes};

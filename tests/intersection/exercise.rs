@@ -1,7 +1,6 @@
 //! The chapter *intersection* as an exercise: the same theorems, run against the reader's code.
 #![allow(clippy::float_cmp, reason = "theorems and hard cases promise the same bits")]
 
-mod bound;
 mod box_inputs;
 mod box_theorems;
 #[path = "../common/mod.rs"]

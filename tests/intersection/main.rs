@@ -4,7 +4,6 @@
     reason = "theorems and hard cases promise the same bits"
 )]
 
-mod bound;
 mod box_error_theorems;
 mod box_hard_cases;
 mod box_inputs;

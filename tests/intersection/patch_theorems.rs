@@ -9,7 +9,7 @@ use facette::ray::Ray;
 use facette::surface::Surface;
 use proptest::prelude::*;
 
-use crate::bound::Bound;
+use crate::common::bound::Bound;
 use crate::common::law::{Broken, Law, Verdict, expect_at_most, expect_equal};
 use crate::common::oracle::big;
 use crate::patch_inputs::{ThroughAPoint, big_patch_point, hard, near_meeting, patch, wild};

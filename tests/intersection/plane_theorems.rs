@@ -6,7 +6,7 @@ use facette::ray::Ray;
 use num_traits::{Signed, Zero};
 use proptest::prelude::*;
 
-use crate::bound::Bound;
+use crate::common::bound::Bound;
 use crate::common::exact::{Exact, fraction};
 use crate::common::generators::{coordinate, point};
 use crate::common::law::{Law, Verdict, expect_equal};

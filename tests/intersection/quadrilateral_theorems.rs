@@ -11,7 +11,7 @@ use facette::surface::Surface;
 use num_traits::{One, Signed, Zero};
 use proptest::prelude::*;
 
-use crate::bound::Bound;
+use crate::common::bound::Bound;
 use crate::common::exact::Exact;
 use crate::common::generators::{hard_parameter, parameter, point};
 use crate::common::law::{Broken, Law, Verdict, expect_equal};

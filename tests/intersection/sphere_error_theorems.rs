@@ -8,7 +8,7 @@ use facette::ray::Ray;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 use proptest::prelude::*;
 
-use crate::bound::Bound;
+use crate::common::bound::Bound;
 use crate::common::law::{Broken, Law, Verdict, expect_at_most, expect_equal};
 use crate::common::oracle::{Big, big, big_dot, big_length, big_minus, big_point};
 use crate::float_chords::{Float, FloatChord, float_chords, hard_float_chords};

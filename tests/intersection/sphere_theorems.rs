@@ -6,7 +6,7 @@ use facette::ray::Ray;
 use num_traits::Zero;
 use proptest::prelude::*;
 
-use crate::bound::Bound;
+use crate::common::bound::Bound;
 use crate::common::exact::Exact;
 use crate::common::law::{Broken, Law, Verdict, expect_equal};
 use crate::common::oracle::{big, big_point};

@@ -5,7 +5,7 @@ use facette::intersection::triangle::{Triangle, robust};
 use facette::intersection::{Hit, Intersect};
 use num_traits::{One, Signed, ToPrimitive};
 
-use crate::bound::Bound;
+use crate::common::bound::Bound;
 use crate::common::law::{Law, Verdict, expect_at_most, expect_equal};
 use crate::common::oracle::{Big, big, big_dot, big_minus, big_point};
 use crate::suspects;
