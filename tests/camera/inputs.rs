@@ -7,6 +7,7 @@ use proptest::prelude::*;
 
 use crate::common::exact::{Exact, fraction};
 use crate::common::generators::{coordinate, parameter, point};
+use crate::common::motion::IntegerMotion;
 
 /// A point of space over the rationals.
 pub type Point = [Exact; 3];
@@ -35,15 +36,8 @@ pub struct Shot {
 }
 
 /// The axes of the rotation by a quaternion that is not zero: rational numbers, orthonormal and right-handed.
-#[rustfmt::skip]
-pub fn rotation([a, b, c, d]: [i32; 4]) -> [Point; 3] {
-    let n = a * a + b * b + c * c + d * d;
-    let columns = [
-        [a * a + b * b - c * c - d * d, 2 * (b * c + a * d), 2 * (b * d - a * c)],
-        [2 * (b * c - a * d), a * a - b * b + c * c - d * d, 2 * (c * d + a * b)],
-        [2 * (b * d + a * c), 2 * (c * d - a * b), a * a - b * b - c * c + d * d],
-    ];
-    columns.map(|column| column.map(|numerator| fraction(numerator, n)))
+pub fn rotation(quaternion: [i32; 4]) -> [Point; 3] {
+    IntegerMotion::new(quaternion, [0; 3]).axes()
 }
 
 impl Shot {
@@ -199,10 +193,6 @@ pub fn dot(a: Point, b: Point) -> Exact {
 
 /// The point moved by a rotation and a translation.
 pub fn moved(quaternion: [i32; 4], by: Point, point: Point) -> Point {
-    let [x, y, z] = rotation(quaternion);
-    let turned = x
-        .times(point[0])
-        .plus(y.times(point[1]))
-        .plus(z.times(point[2]));
+    let turned = IntegerMotion::new(quaternion, [0; 3]).turned(point);
     turned.plus(by)
 }

@@ -7,4 +7,5 @@ pub mod dual;
 pub mod exact;
 pub mod generators;
 pub mod law;
+pub mod motion;
 pub mod oracle;

@@ -10,9 +10,9 @@ use crate::common::bound::Bound;
 use crate::common::exact::{Exact, fraction};
 use crate::common::generators::{coordinate, point};
 use crate::common::law::{Law, Verdict, expect_equal};
+use crate::common::motion::integer_motions;
 use crate::common::oracle::{big_dot, big_length, big_minus, big_point};
 use crate::float_chords::{Float, float_vector};
-use crate::sphere_inputs::integer_motions;
 use crate::suspects;
 
 type Point = [Exact; 3];

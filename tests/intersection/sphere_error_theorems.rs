@@ -10,6 +10,7 @@ use proptest::prelude::*;
 
 use crate::common::bound::Bound;
 use crate::common::law::{Broken, Law, Verdict, expect_at_most, expect_equal};
+use crate::common::motion::integer_motions;
 use crate::common::oracle::{Big, big, big_dot, big_length, big_minus, big_point};
 use crate::float_chords::{Float, FloatChord, float_chords, hard_float_chords};
 use crate::roots::{big_passing_distance, big_roots};
@@ -251,7 +252,7 @@ fn moved_sphere_is_hit_at_the_same_t() {
         "intersection::moved_sphere_is_hit_at_the_same_t",
         suspects::library,
     );
-    let moved = |chords| (chords, crate::sphere_inputs::integer_motions());
+    let moved = |chords| (chords, integer_motions());
     law.holds(
         moved(integer_chords().boxed()),
         moved(hard_integer_chords().boxed()),

@@ -1,6 +1,6 @@
 //! Lines and spheres with roots that are small dyadic numbers, so that floating point holds everything exactly.
 
-use facette::algebra::{Scalar, Vector3, VectorSpace};
+use facette::algebra::{Vector3, VectorSpace};
 use facette::intersection::Sphere;
 use facette::ray::Ray;
 use proptest::prelude::*;
@@ -133,65 +133,6 @@ pub fn hard_integer_chords() -> impl Strategy<Value = IntegerChord> {
         },
     );
     prop_oneof![on_surface, far, tangent]
-}
-
-/// A similarity with integer coefficients: `x → M x + shift`, where M is a rotation times `scale`.
-#[derive(Clone, Copy, Debug)]
-pub struct IntegerMotion {
-    /// The columns of M.
-    pub columns: [[i32; 3]; 3],
-    /// The factor of lengths.
-    pub scale: i32,
-    /// The translation.
-    pub shift: [i32; 3],
-}
-
-impl IntegerMotion {
-    /// The image of a vector, lengths times `scale`.
-    pub fn vector<S: Scalar>(&self, [x, y, z]: [S; 3]) -> [S; 3] {
-        let [first, second, third] = self.columns.map(|column| column.map(S::from_i32));
-        <[S; 3]>::combination([x, y, z], [first, second, third])
-    }
-
-    /// The image of a point.
-    pub fn point<S: Scalar>(&self, point: [S; 3]) -> [S; 3] {
-        self.vector(point).plus(self.shift.map(S::from_i32))
-    }
-}
-
-/// Rotations by quaternions with small integer coefficients (Euler and Rodrigues), times the quaternion's norm.
-pub fn integer_motions() -> impl Strategy<Value = IntegerMotion> {
-    let coefficient = || -2..=2_i32;
-    let quaternion = [coefficient(), coefficient(), coefficient(), coefficient()];
-    (quaternion, [-9..=9_i32, -9..=9, -9..=9]).prop_map(|([a, b, c, d], shift)| {
-        let [a, b, c, d] = if [a, b, c, d] == [0; 4] {
-            [1, 1, 0, 0]
-        } else {
-            [a, b, c, d]
-        };
-        let columns = [
-            [
-                a * a + b * b - c * c - d * d,
-                2 * (b * c + a * d),
-                2 * (b * d - a * c),
-            ],
-            [
-                2 * (b * c - a * d),
-                a * a - b * b + c * c - d * d,
-                2 * (c * d + a * b),
-            ],
-            [
-                2 * (b * d + a * c),
-                2 * (c * d - a * b),
-                a * a - b * b - c * c + d * d,
-            ],
-        ];
-        IntegerMotion {
-            columns,
-            scale: a * a + b * b + c * c + d * d,
-            shift,
-        }
-    })
 }
 
 /// The exact number that a multiple of 1/16 is.

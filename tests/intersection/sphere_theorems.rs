@@ -9,11 +9,10 @@ use proptest::prelude::*;
 use crate::common::bound::Bound;
 use crate::common::exact::Exact;
 use crate::common::law::{Broken, Law, Verdict, expect_equal};
+use crate::common::motion::integer_motions;
 use crate::common::oracle::{big, big_point};
 use crate::roots::big_roots;
-use crate::sphere_inputs::{
-    IntegerChord, exact, hard_integer_chords, integer_chords, integer_motions,
-};
+use crate::sphere_inputs::{IntegerChord, exact, hard_integer_chords, integer_chords};
 use crate::suspects;
 
 /// **A half-line does not look back.** A ray $\mathbf r(t)=\mathbf o+t\,\mathbf d$ has $t>0$: of the points where its line meets a surface it sees those in front of

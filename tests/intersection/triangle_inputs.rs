@@ -11,6 +11,7 @@ use proptest::prelude::*;
 
 use crate::common::exact::{Exact, fraction};
 use crate::common::generators::{coordinate, parameter, point};
+use crate::common::motion::IntegerMotion;
 
 pub type Point = [Exact; 3];
 
@@ -195,24 +196,11 @@ pub fn signed_tests<P: Vector3>() -> impl Iterator<Item = (&'static str, Test<P,
     closed_tests().into_iter().skip(1)
 }
 
-/// The rotation by the unit quaternion along `[q0, q1, q2, q3]`: rational, since the quaternion's square is divided by, not its length.
-pub fn turned([w, x, y, z]: [Exact; 4], p: Point) -> Point {
-    let two = fraction(2, 1);
-    let axis = [x, y, z];
-    let square = w * w + axis.dot(axis);
-    let twice = axis
-        .cross(p)
-        .times(w)
-        .plus(axis.cross(axis.cross(p)))
-        .times(two);
-    p.plus(twice.times(Exact::one() / square))
-}
-
 /// A rotation and a shift.
-pub fn motions() -> impl Strategy<Value = ([Exact; 4], Point)> {
-    let quaternion =
-        [-3..=3_i32, -3..=3, -3..=3].prop_map(|[x, y, z]| [2, x, y, z].map(Exact::from_i32));
-    (quaternion, point())
+pub fn motions() -> impl Strategy<Value = (IntegerMotion, Point)> {
+    let rotation =
+        [-3..=3_i32, -3..=3, -3..=3].prop_map(|[x, y, z]| IntegerMotion::new([2, x, y, z], [0; 3]));
+    (rotation, point())
 }
 
 /// Each kind of hit and miss occurs among the generated places.

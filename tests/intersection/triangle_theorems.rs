@@ -12,7 +12,6 @@ use crate::common::generators::{parameter, point};
 use crate::common::law::{Broken, Law, LikelyMistake, Verdict, expect_equal};
 use crate::triangle_inputs::{
     Place, Point, closed_tests, expected, hard_places, motions, places, signed_tests, solved,
-    turned,
 };
 use crate::{suspects, triangle_suspects};
 
@@ -282,8 +281,8 @@ fn triangle_hits_are_invariant_under_rigid_motions() {
         .holds(
             (places(), motions()),
             (hard_places(), motions()),
-            |(place, (quaternion, shift))| {
-                let turn = |p: Point| turned(*quaternion, p);
+            |(place, (rotation, shift))| {
+                let turn = |p: Point| rotation.turned(p);
                 let moved = place.mapped(|p| turn(p).plus(*shift), turn);
                 for (name, test) in signed_tests::<Point>() {
                     let hit = test(&place.corners, &place.ray());
