@@ -11,7 +11,9 @@ use proptest::prelude::*;
 use crate::common::bound::Bound;
 use crate::common::law::{Broken, Law, Verdict, expect_equal};
 use crate::common::oracle::{Big, big, big_point};
-use crate::float_boxes::{FloatBox, big_interval, float_boxes, hard_float_boxes};
+use crate::float_boxes::{
+    FloatBox, big_interval, big_interval_between, float_boxes, hard_float_boxes,
+};
 use crate::float_chords::Float;
 use crate::suspects;
 
@@ -93,16 +95,18 @@ fn widened<S: Float>(
     ray: &Ray<[S; 3]>,
     part: f64,
 ) -> Option<[Big; 2]> {
-    let part = S::nearest(2.0 * part);
-    let moved = |corner: [S; 3], sign: S| -> [S; 3] {
+    let exactly = |point: [S; 3]| big_point(point.map(Into::into));
+    let [min, max, origin, direction] =
+        [bounds.min(), bounds.max(), ray.origin, ray.direction].map(exactly);
+    let part = big(2.0 * part);
+    // Exactly: where the distance is small beside the coordinates, rounding would put the planes back in their places.
+    let moved = |corner: &[Big; 3], sign: f64| -> [Big; 3] {
         std::array::from_fn(|axis| {
-            corner[axis] + sign * part * (corner[axis] - ray.origin[axis]).magnitude()
+            &corner[axis] + big(sign) * &part * (&corner[axis] - &origin[axis]).abs()
         })
     };
-    let one = S::one();
-    let wider = BoundingBox::new(moved(bounds.min(), -one), moved(bounds.max(), one))
-        .expect("wider than before");
-    big_interval(&wider, ray)
+    let corners = [moved(&min, -1.0), moved(&max, 1.0)];
+    big_interval_between(&corners, &[origin, direction])
 }
 
 /// **No box is missed.** [`may_be_hit_by`] multiplies by the reciprocal of $d_k$, which is faster than to divide, and rounds three times: each $t_k$ is within $3\mathbf u\lvert t_k\rvert$, up to terms in $\mathbf u^2$. Entry and exit together

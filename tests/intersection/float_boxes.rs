@@ -34,8 +34,17 @@ impl FloatBox {
 /// The true interval of the line in the box.
 pub fn big_interval<S: Float>(bounds: &BoundingBox<[S; 3]>, ray: &Ray<[S; 3]>) -> Option<[Big; 2]> {
     let exactly = |point: [S; 3]| big_point(point.map(Into::into));
-    let [min, max] = [bounds.min(), bounds.max()].map(exactly);
-    let [o, d] = [ray.origin, ray.direction].map(exactly);
+    big_interval_between(
+        &[bounds.min(), bounds.max()].map(exactly),
+        &[ray.origin, ray.direction].map(exactly),
+    )
+}
+
+/// The true interval of the line with this origin and direction, between these corners of a box.
+pub fn big_interval_between(
+    [min, max]: &[[Big; 3]; 2],
+    [o, d]: &[[Big; 3]; 2],
+) -> Option<[Big; 2]> {
     let mut interval: Option<[Big; 2]> = None;
     for axis in 0..3 {
         if d[axis].is_zero() {
@@ -44,7 +53,7 @@ pub fn big_interval<S: Float>(bounds: &BoundingBox<[S; 3]>, ray: &Ray<[S; 3]>) -
             }
             continue;
         }
-        let mut slab = [&min, &max].map(|corner| (&corner[axis] - &o[axis]) / &d[axis]);
+        let mut slab = [min, max].map(|corner| (&corner[axis] - &o[axis]) / &d[axis]);
         slab.sort();
         let [entry, exit] = slab;
         interval = Some(match interval {
