@@ -12,10 +12,8 @@ mod points;
 
 pub use basis::{basis_functions, cox_de_boor, find_span};
 pub use mistake::Mistake;
+use mistake::{Function, mistake};
 pub use points::{de_boor_point, insert_knot, surface_point};
-
-/// The exercise of a function, and the theorem that rejects its mistakes.
-type Function = [&'static str; 2];
 
 const SPAN: Function = ["basis", "every_parameter_has_one_span"];
 const RECURSION: Function = [
@@ -26,19 +24,6 @@ const TRIANGLE: Function = ["basis", "triangle_gives_the_functions_that_are_not_
 const CURVE: Function = ["curve", "de_boors_points_give_the_sum_of_the_basis"];
 const INSERTION: Function = ["insertion", "inserting_a_knot_keeps_the_curve"];
 const SURFACE: Function = ["surface", "five_steps_give_the_double_sum"];
-
-const fn mistake(
-    [exercise, rejected_by]: Function,
-    name: &'static str,
-    hint: &'static str,
-) -> Mistake {
-    Mistake {
-        name,
-        exercise,
-        rejected_by,
-        hint,
-    }
-}
 
 /// All typical mistakes of the chapter.
 #[rustfmt::skip]

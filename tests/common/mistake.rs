@@ -13,6 +13,23 @@ pub struct Mistake {
     pub hint: &'static str,
 }
 
+/// The exercise of a function, and the theorem that rejects its mistakes.
+pub type Function = [&'static str; 2];
+
+/// The mistake of this name in a function, with the hint for its maker.
+pub const fn mistake(
+    [exercise, rejected_by]: Function,
+    name: &'static str,
+    hint: &'static str,
+) -> Mistake {
+    Mistake {
+        name,
+        exercise,
+        rejected_by,
+        hint,
+    }
+}
+
 /// Prints mistakes for the grader: name, exercise, rejecting theorem and hint, with tabs between.
 #[allow(dead_code, reason = "only the tests make the list")]
 pub fn print_all(mistakes: &[Mistake]) {

@@ -6,72 +6,59 @@ use facette::coons::{Boundary, Corners, HermiteBoundary, hermite_basis as right_
 use facette::curve::Curve;
 
 pub use mistake::Mistake;
+use mistake::mistake;
 
 #[path = "../common/mistake.rs"]
 mod mistake;
 
-const fn mistake(
-    name: &'static str,
-    exercise: &'static str,
-    rejected_by: &'static str,
-    hint: &'static str,
-) -> Mistake {
-    Mistake {
-        name,
-        exercise,
-        rejected_by,
-        hint,
-    }
-}
-
 /// All typical mistakes of the chapter.
 #[rustfmt::skip]
 pub const MISTAKES: &[Mistake] = &[
-    mistake("forgotten_s3", "bilinear", "patch_interpolates_its_four_corners",
+    mistake(["bilinear", "patch_interpolates_its_four_corners"], "forgotten_s3",
         "S1 + S2 counts the bilinear surface of the corners twice: subtract S3"),
-    mistake("added_s3", "bilinear", "patch_interpolates_its_four_corners",
+    mistake(["bilinear", "patch_interpolates_its_four_corners"], "added_s3",
         "S3 has the wrong sign: it is subtracted, S = S1 + S2 - S3"),
-    mistake("swapped_corners", "bilinear", "patch_interpolates_its_four_corners",
+    mistake(["bilinear", "patch_interpolates_its_four_corners"], "swapped_corners",
         "the corners C and D are swapped in S3: C = S(1,1) lies opposite A, D = S(0,1) above it"),
-    mistake("exchanged_weights_in_s3", "bilinear", "patch_interpolates_its_four_corners",
+    mistake(["bilinear", "patch_interpolates_its_four_corners"], "exchanged_weights_in_s3",
         "u and v are exchanged in S3: B belongs to u(1-v), D to v(1-u)"),
-    mistake("exchanged_parameters", "bilinear", "patch_interpolates_its_four_corners",
+    mistake(["bilinear", "patch_interpolates_its_four_corners"], "exchanged_parameters",
         "the curves get each other's parameter: P1 and P2 run in u, Q1 and Q2 in v"),
-    mistake("exchanged_parameter_of_p1_and_p2", "bilinear", "patch_interpolates_its_four_corners",
+    mistake(["bilinear", "patch_interpolates_its_four_corners"], "exchanged_parameter_of_p1_and_p2",
         "P1 and P2 run in u: take their points at u, and v as the weight between them"),
-    mistake("exchanged_parameter_of_p1", "bilinear", "patch_interpolates_its_four_corners",
+    mistake(["bilinear", "patch_interpolates_its_four_corners"], "exchanged_parameter_of_p1",
         "P1 runs in u, as P2 does: take its point at u"),
-    mistake("exchanged_weights", "bilinear", "patch_interpolates_its_four_corners",
+    mistake(["bilinear", "patch_interpolates_its_four_corners"], "exchanged_weights",
         "the ruled surfaces have each other's weights: S1 blends P1 and P2 by v, S2 blends Q1 and Q2 by u"),
-    mistake("forgotten_corner_c", "bilinear", "patch_interpolates_its_four_corners",
+    mistake(["bilinear", "patch_interpolates_its_four_corners"], "forgotten_corner_c",
         "S3 lacks its last term uvC"),
-    mistake("averaged", "bilinear", "patch_interpolates_p1_and_p2",
+    mistake(["bilinear", "patch_interpolates_p1_and_p2"], "averaged",
         "the mean of S1 and S2 meets the corners only: a sum less S3 is needed, not a mean"),
-    mistake("only_s1", "bilinear", "patch_interpolates_q1_and_q2",
+    mistake(["bilinear", "patch_interpolates_q1_and_q2"], "only_s1",
         "S1 alone knows nothing of Q1 and Q2: add S2 and subtract S3"),
-    mistake("smooth_weights", "bilinear", "straight_edges_give_the_bilinear_patch",
+    mistake(["bilinear", "straight_edges_give_the_bilinear_patch"], "smooth_weights",
         "the weights are to be linear, 1-t and t: other weights meet the edges too, but bend a flat patch's grid"),
-    mistake("exchanged_partials", "derivative", "partials_along_an_edge_are_the_edge_curves_derivatives",
+    mistake(["derivative", "partials_along_an_edge_are_the_edge_curves_derivatives"], "exchanged_partials",
         "S_u and S_v are exchanged: return [S_u, S_v]"),
-    mistake("forgotten_difference", "derivative", "partials_along_an_edge_are_the_edge_curves_derivatives",
+    mistake(["derivative", "partials_along_an_edge_are_the_edge_curves_derivatives"], "forgotten_difference",
         "in S_u the weights of S2 depend on u as well: their derivative gives Q2(v) - Q1(v), in S_v likewise P2(u) - P1(u)"),
-    mistake("reversed_difference", "derivative", "partials_along_an_edge_are_the_edge_curves_derivatives",
+    mistake(["derivative", "partials_along_an_edge_are_the_edge_curves_derivatives"], "reversed_difference",
         "a difference has the wrong sign: d/du [(1-u)Q1 + u Q2] = Q2 - Q1"),
-    mistake("forgotten_s3_derivative", "derivative", "partials_along_an_edge_are_the_edge_curves_derivatives",
+    mistake(["derivative", "partials_along_an_edge_are_the_edge_curves_derivatives"], "forgotten_s3_derivative",
         "S3 depends on u and on v too: subtract its derivative"),
-    mistake("frozen_s3_derivative", "derivative", "partials_along_an_edge_are_the_edge_curves_derivatives",
+    mistake(["derivative", "partials_along_an_edge_are_the_edge_curves_derivatives"], "frozen_s3_derivative",
         "the derivative of S3 in u is not B - A everywhere: it goes over to C - D as v goes to 1"),
-    mistake("swapped_slopes", "bicubic", "hermite_basis_carries_one_datum_each",
+    mistake(["bicubic", "hermite_basis_carries_one_datum_each"], "swapped_slopes",
         "the cubics of the two slopes are swapped: the second carries the slope at 0, the third the slope at 1"),
-    mistake("sign_of_the_end_slope", "bicubic", "hermite_basis_carries_one_datum_each",
+    mistake(["bicubic", "hermite_basis_carries_one_datum_each"], "sign_of_the_end_slope",
         "the cubic of the slope at 1 has the wrong sign: -t^2 (1-t) falls below 0 before it rises"),
-    mistake("bicubic_without_s3", "bicubic", "bicubic_patch_interpolates_its_four_boundary_curves",
+    mistake(["bicubic", "bicubic_patch_interpolates_its_four_boundary_curves"], "bicubic_without_s3",
         "the tensor product of the corner vectors, S3, must be subtracted, as in the bilinear patch"),
-    mistake("transposed_corner_vectors", "bicubic", "bicubic_patch_interpolates_its_four_boundary_curves",
+    mistake(["bicubic", "bicubic_patch_interpolates_its_four_boundary_curves"], "transposed_corner_vectors",
         "the table of corner vectors is transposed: its rows belong to u, its columns to v"),
-    mistake("zero_twists", "bicubic", "bicubic_patch_has_the_given_cross_derivatives",
+    mistake(["bicubic", "bicubic_patch_has_the_given_cross_derivatives"], "zero_twists",
         "the four twists are missing: the middle of the table of corner vectors is not zero"),
-    mistake("positions_only", "bicubic", "bicubic_patch_has_the_given_cross_derivatives",
+    mistake(["bicubic", "bicubic_patch_has_the_given_cross_derivatives"], "positions_only",
         "only the positions are blended: the cross derivatives belong into S1 and S2 with the slope cubics"),
 ];
 

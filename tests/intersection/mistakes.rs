@@ -17,11 +17,9 @@ mod triangles;
 pub use boxes::box_interval;
 pub use groups::nearest;
 pub use mistake::Mistake;
+use mistake::{Function, mistake};
 pub use spheres::{first_root, roots_by_projection, roots_by_quadratic};
 pub use triangles::{half_planes, moller_trumbore};
-
-/// The exercise of a function, and the theorem that rejects its mistakes.
-type Function = [&'static str; 2];
 
 const CHORD: Function = ["sphere", "quadratic_gives_both_ends_of_a_chord"];
 const COUNT: Function = ["sphere", "discriminant_counts_the_points"];
@@ -42,19 +40,6 @@ const ONCE: Function = ["group", "group_asks_every_member_once"];
 const HALF_PLANES: Function = ["half_planes", "three_half_planes_are_the_inside"];
 const ALL_HITS: Function = ["moller_trumbore", "hit_solves_the_equations"];
 const INTERVAL: Function = ["moller_trumbore", "triangle_hits_keep_to_the_interval"];
-
-const fn mistake(
-    [exercise, rejected_by]: Function,
-    name: &'static str,
-    hint: &'static str,
-) -> Mistake {
-    Mistake {
-        name,
-        exercise,
-        rejected_by,
-        hint,
-    }
-}
 
 /// All typical mistakes of the chapter.
 #[rustfmt::skip]
