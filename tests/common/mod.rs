@@ -3,6 +3,7 @@
 #![allow(dead_code, reason = "each chapter uses its part of this toolbox")]
 
 pub mod bound;
+pub mod dice;
 pub mod dual;
 pub mod exact;
 pub mod generators;

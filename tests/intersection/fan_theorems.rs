@@ -7,12 +7,12 @@ use facette::ray::Ray;
 use proptest::collection::vec;
 use proptest::prelude::*;
 
+use crate::common::dice::Dice;
 use crate::common::exact::{Exact, fraction};
 use crate::common::generators::{parameter, point};
 use crate::common::law::{Law, expect_equal};
 use crate::suspects;
 use crate::triangle_inputs::{Point, Test, at_weights};
-use crate::triangle_meshes::Dice;
 
 /// A hub, a rim, an origin, and where to aim: weights on one triangle.
 type Place = (Point, Vec<Point>, Point, usize, [Exact; 2]);

@@ -93,7 +93,7 @@ fn size_of_a_triangle_may_be_anything() {
 /// **Scaling by powers of two changes no bit.** In the middle of the range of numbers the scaled tests give what the plain ones give, to the last bit.
 #[test]
 fn scaling_by_powers_of_two_changes_no_bit() {
-    let mut dice = crate::triangle_meshes::Dice::new(11);
+    let mut dice = crate::common::dice::Dice::new(11);
     let mut count = 0;
     for _ in 0..2000 {
         let corners = [dice.vector(), dice.vector(), dice.vector()];

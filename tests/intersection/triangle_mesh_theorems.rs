@@ -6,8 +6,9 @@ use facette::intersection::triangle::{
 };
 use facette::ray::Ray;
 
+use crate::common::dice::Dice;
 use crate::triangle_inputs::Test;
-use crate::triangle_meshes::{Ball, Dice};
+use crate::triangle_meshes::Ball;
 
 /// Rays at edges and corners for each type of number and each test.
 const RAYS: usize = 100_000;

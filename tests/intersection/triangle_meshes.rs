@@ -3,39 +3,8 @@
 use facette::algebra::{Real, Vector3, VectorSpace};
 use facette::ray::Ray;
 
+use crate::common::dice::Dice;
 use crate::triangle_inputs::Test;
-
-/// Pseudo-random numbers between −1 and 1 (Knuth's 64-bit linear congruence, upper bits).
-pub struct Dice(u64);
-
-impl Dice {
-    pub fn new(seed: u64) -> Self {
-        Self(seed)
-    }
-
-    pub fn roll(&mut self) -> f64 {
-        self.0 = self
-            .0
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
-    }
-
-    pub fn vector(&mut self) -> [f64; 3] {
-        [self.roll(), self.roll(), self.roll()]
-    }
-
-    /// A number below `count`.
-    #[allow(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "a share of a count is one of its numbers"
-    )]
-    pub fn index(&mut self, count: usize) -> usize {
-        let share = self.roll().midpoint(1.0);
-        ((share * count as f64) as usize).min(count - 1)
-    }
-}
 
 /// A closed mesh, star-shaped round its centre.
 pub struct Ball {
