@@ -4,7 +4,7 @@ use std::sync::LazyLock;
 
 /// The linear value, 0 to 1, of an sRGB byte.
 pub(crate) fn decode(byte: u8) -> f64 {
-    linear(f64::from(byte) / 255.0)
+    DECODED[usize::from(byte)]
 }
 
 /// The sRGB byte nearest to a linear value; values outside 0 to 1 are clamped, and NaN is black.
@@ -12,6 +12,10 @@ pub(crate) fn encode(value: f64) -> u8 {
     let above = THRESHOLDS.partition_point(|&threshold| threshold <= value);
     u8::try_from(above).unwrap_or(u8::MAX)
 }
+
+/// The linear value of each byte: every ray that meets something asks for three.
+static DECODED: LazyLock<[f64; 256]> =
+    LazyLock::new(|| std::array::from_fn(|byte| linear(byte as f64 / 255.0)));
 
 /// The linear values half-way, on the encoded scale, between one byte and the next.
 static THRESHOLDS: LazyLock<[f64; 255]> =
