@@ -3,7 +3,7 @@
 use std::hint::black_box;
 use std::rc::Rc;
 
-use facette::algebra::Scalar;
+use facette::algebra::{Real, Scalar};
 
 use crate::common::oracle::{Big, big, ulp};
 use crate::harness::{Batch, Errors, Shared, nearest};
@@ -18,6 +18,14 @@ pub struct Answer {
 }
 
 impl Answer {
+    /// The answer that this surface is met at `t`; `None` where it is not.
+    pub fn of<S: Real>(t: Option<S>, surface: u32) -> Option<Self> {
+        t.map(|t| Self {
+            t: t.to_f64(),
+            surface,
+        })
+    }
+
     /// Whether it names a surface that is met, at a place.
     fn agrees_with(&self, truth: &Truth) -> bool {
         self.t.is_finite() && truth.surfaces.contains(&self.surface)

@@ -8,7 +8,7 @@ use facette::intersection::triangle::{moller_trumbore, watertight};
 use facette::ray::Ray;
 
 use super::triangles::triangle_floats::FloatPlace;
-use super::triangles::{Point, Steps, Test, answer, rounded, truth};
+use super::triangles::{Point, Steps, Test, rounded, truth};
 use crate::Visitor;
 use crate::answers::{Answer, Truth, Truths};
 use crate::harness::{Comparison, Effort, lazily};
@@ -69,7 +69,7 @@ impl Wheel {
             for (slot, ray) in answers.iter_mut().zip(&rays) {
                 *slot = None;
                 for (surface, corners) in (0_u32..).zip(&corners) {
-                    let hit = answer(test(corners, ray), surface);
+                    let hit = Answer::of(test(corners, ray).map(|hit| hit.t), surface);
                     if let Some(hit) = hit
                         && slot.is_none_or(|nearest| hit.t < nearest.t)
                     {
@@ -90,7 +90,7 @@ impl Wheel {
                 let hit = fan.intersect(ray);
                 *slot = hit.and_then(|hit| {
                     let surface = u32::try_from(hit.triangle).expect("one of eight");
-                    answer(Some(hit.facet), surface)
+                    Answer::of(Some(hit.facet.t), surface)
                 });
             }
         }
@@ -206,7 +206,7 @@ fn on_quadrilateral<S: Real>(
     let rays: Vec<_> = rays.iter().map(|&ray| rounded::<S>(ray)).collect();
     move |answers| {
         for (slot, ray) in answers.iter_mut().zip(&rays) {
-            *slot = answer(test(&corners, ray), 0);
+            *slot = Answer::of(test(&corners, ray).map(|hit| hit.t), 0);
         }
     }
 }

@@ -112,13 +112,6 @@ fn true_sphere_hit(ray: &Ray<Point>) -> Option<Truth> {
     })
 }
 
-fn answer<S: Float>(t: Option<S>) -> Option<Answer> {
-    t.map(|t| Answer {
-        t: t.into(),
-        surface: 0,
-    })
-}
-
 /// Fills the answers with what `ask` says of each ray.
 fn asking<S, A>(rays: &[Ray<Point>], ask: A) -> impl FnMut(&mut [Option<Answer>]) + use<S, A>
 where
@@ -129,7 +122,7 @@ where
     let rays = rounded::<S>(rays);
     move |answers| {
         for (place, ray) in answers.iter_mut().zip(&rays) {
-            *place = answer(ask(ray));
+            *place = Answer::of(ask(ray), 0);
         }
     }
 }
@@ -266,7 +259,7 @@ where
     let prepared: Vec<_> = rounded::<S>(rays).iter().map(SlabRay::new).collect();
     let widened = move |answers: &mut [Option<Answer>]| {
         for (place, ray) in answers.iter_mut().zip(&prepared) {
-            *place = answer(bounds.may_be_hit_by(ray).then(S::zero));
+            *place = Answer::of(bounds.may_be_hit_by(ray).then(S::zero), 0);
         }
     };
     comparison

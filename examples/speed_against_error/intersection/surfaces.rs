@@ -48,13 +48,6 @@ fn meetings(count: usize) -> Vec<ThroughAPoint> {
         .collect()
 }
 
-fn answer<S: Real>(t: Option<S>) -> Option<Answer> {
-    t.map(|t| Answer {
-        t: t.to_f64(),
-        surface: 0,
-    })
-}
-
 fn directly<S: Real>(cases: &[ThroughAPoint]) -> impl FnMut(&mut [Option<Answer>]) + use<S> {
     let patch: BezierPatch<[S; 3]> = cases[0].patch();
     let rays: Vec<Ray<[S; 3]>> = cases
@@ -66,7 +59,7 @@ fn directly<S: Real>(cases: &[ThroughAPoint]) -> impl FnMut(&mut [Option<Answer>
         .collect();
     move |answers| {
         for (slot, ray) in answers.iter_mut().zip(&rays) {
-            *slot = answer(patch.intersect(ray).map(|hit| hit.t));
+            *slot = Answer::of(patch.intersect(ray).map(|hit| hit.t), 0);
         }
     }
 }
@@ -92,7 +85,7 @@ fn as_triangles(
     move |answers| {
         let mut query = hierarchy.query();
         for (slot, ray) in answers.iter_mut().zip(&rays) {
-            *slot = answer(query.nearest(ray).map(|found| found.hit.t));
+            *slot = Answer::of(query.nearest(ray).map(|found| found.hit.t), 0);
         }
     }
 }
@@ -121,7 +114,7 @@ fn bicubic_patch(count: usize, visitor: &mut Visitor<'_>) {
         )
         .answers(["Newton from the middle", "f64"], &truths, move |answers| {
             for (slot, ray) in answers.iter_mut().zip(&rays) {
-                *slot = answer(newton_from_the_middle(patch.surface(), ray));
+                *slot = Answer::of(newton_from_the_middle(patch.surface(), ray), 0);
             }
         })
         .answers(
@@ -167,10 +160,11 @@ fn leave<S: Real>(
         .collect();
     move |answers| {
         for (slot, (ray, hit)) in answers.iter_mut().zip(hits.iter().cycle()) {
-            *slot = answer(
+            *slot = Answer::of(
                 sphere
                     .intersect(&start(ray, hit, hit.normal))
                     .map(|again| again.t),
+                0,
             );
         }
     }

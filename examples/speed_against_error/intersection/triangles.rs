@@ -107,7 +107,7 @@ impl Scene {
         move |answers| {
             for (answers, ray) in answers.chunks_exact_mut(TRIANGLES).zip(&rays) {
                 for (slot, corners) in answers.iter_mut().zip(&triangles) {
-                    *slot = answer(test(corners, ray), 0);
+                    *slot = Answer::of(test(corners, ray).map(|hit| hit.t), 0);
                 }
             }
         }
@@ -120,7 +120,7 @@ impl Scene {
             for (answers, ray) in answers.chunks_exact_mut(TRIANGLES).zip(&rays) {
                 let ray = ShearedRay::new(ray);
                 for (slot, corners) in answers.iter_mut().zip(&triangles) {
-                    *slot = answer(ray.intersect(corners), 0);
+                    *slot = Answer::of(ray.intersect(corners).map(|hit| hit.t), 0);
                 }
             }
         }
@@ -137,10 +137,8 @@ impl Scene {
         move |answers| {
             for (answers, ray) in answers.chunks_exact_mut(TRIANGLES).zip(&rays) {
                 for (slot, triangle) in answers.iter_mut().zip(&triangles) {
-                    *slot = answer(
-                        triangle.as_ref().and_then(|triangle| test(triangle, ray)),
-                        0,
-                    );
+                    let hit = triangle.as_ref().and_then(|triangle| test(triangle, ray));
+                    *slot = Answer::of(hit.map(|hit| hit.t), 0);
                 }
             }
         }
@@ -162,13 +160,6 @@ impl Scene {
 pub fn rounded<S: Real>(ray: [Point; 2]) -> Ray<[S; 3]> {
     let [origin, direction] = ray.map(|point| point.map(S::from_f64));
     Ray::new(origin, direction)
-}
-
-pub fn answer<S: Real>(hit: Option<FacetHit<S>>, surface: u32) -> Option<Answer> {
-    hit.map(|hit| Answer {
-        t: hit.t.to_f64(),
-        surface,
-    })
 }
 
 pub fn truth(place: &FloatPlace, surface: u32) -> Option<Truth> {
