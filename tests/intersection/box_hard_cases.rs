@@ -145,7 +145,7 @@ fn minus_zero_exchanges_near_and_far() {
     assert_eq!(wrong(library).1, 0);
 }
 
-/// **A reciprocal that overflows.** The reciprocal of a denormal number, such as $5\cdot10^{-324}$, is infinite. A ray with such a coordinate that starts in a plane of the slab makes $0\cdot\infty$ as well, although nothing is divided by zero; anywhere else in the slab $\pm\infty$ is as good as the truth.
+/// **A reciprocal that overflows.** The reciprocal of a denormal number, such as $5\cdot10^{-324}$, is infinite. A ray with such a coordinate that starts in a plane of the slab makes $0\cdot\infty$ as well, although nothing is divided by zero; anywhere farther away in the slab $\pm\infty$ is as good as the truth.
 #[test]
 fn denormal_direction_has_no_reciprocal() {
     let ray = Ray::new([-3.0, 0.25, 1.0], [1.0, 0.0, SMALLEST]);
@@ -206,6 +206,25 @@ fn rounding_loses_rays_through_an_edge() {
     }
     println!("{lost} of {met} rays are lost by the plain comparison");
     assert!(met > 5000 && lost > 100, "{lost} of {met}");
+}
+
+/// **A subnormal direction, and a plane as near.** Divided by a subnormal $d_k$, a coordinate as small gives an ordinary parameter: along $\mathbf d=(10^{-310},1,0)$ the plane $x=10^{-310}$ is crossed at $t=1$. But $1/d_k$ overflows, and $10^{-310}\cdot\infty$ puts the entry at infinity,
+/// after every exit: the box is lost. The prepared ray lets such a slab decide nothing, which loses no box, and is right here; the span divides, and is right everywhere.
+#[test]
+fn subnormal_direction_meets_a_plane_as_near() {
+    let bounds = cuboid([1e-310, -5.0, -5.0], [1.0, 5.0, 5.0]);
+    for (_, bounds, ray) in turned("as_near", bounds, [0.0; 3], [1e-310, 1.0, 0.0]) {
+        let lost = unwidened_slabs(&bounds, &ray);
+        assert!(!lost && library(&bounds, &ray), "{ray:?}");
+        assert_eq!(box_interval(&bounds, &ray), Some([1.0, 5.0]));
+    }
+    let single = BoundingBox::new([1e-40_f32, -5.0, -5.0], [1.0, 5.0, 5.0]);
+    let single = single.expect("corners in order");
+    let ray = Ray::new([0.0; 3], [1e-40_f32, 1.0, 0.0]);
+    assert!(single.may_be_hit_by(&SlabRay::new(&ray)));
+    // Another slab still decides.
+    let beside = Ray::new([0.0, 0.0, 6.0], ray.direction);
+    assert!(!single.may_be_hit_by(&SlabRay::new(&beside)));
 }
 
 /// **A ray that ends on the box.** A hierarchy asks its boxes up to the best hit so far, which may lie on the very face: a box that is touched exactly at the ray's end is met, in spite of the rounding of both numbers.

@@ -137,7 +137,7 @@ pub fn box_interval<P: Vector3>(bounds: &BoundingBox<P>, ray: &Ray<P>) -> Option
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SlabRay<P: Vector3> {
     origin: P,
-    /// `1 / d`: infinite for a zero, and negative for −0.
+    /// `1 / d`: infinite for a zero, and negative for −0; NaN for a d so small that it has no reciprocal, whose slab then decides nothing.
     reciprocal: P,
     start: P::Scalar,
     end: P::Scalar,
@@ -151,7 +151,13 @@ where
     /// The ray with its reciprocals.
     pub fn new(ray: &Ray<P>) -> Self {
         let [zero, one] = [P::Scalar::zero(), P::Scalar::one()];
-        let reciprocal = [0, 1, 2].map(|axis| one / ray.direction.coordinate(axis));
+        let reciprocal = [0, 1, 2].map(|axis| {
+            let d = ray.direction.coordinate(axis);
+            let reciprocal = one / d;
+            let overflows = !d.is_zero() && !Scalar::is_finite(reciprocal);
+            // Infinity would put a plane that lies ahead beyond all others, however near it is.
+            if overflows { zero / zero } else { reciprocal }
+        });
         Self {
             origin: ray.origin,
             reciprocal: P::from_coordinates(reciprocal),
@@ -181,6 +187,10 @@ where
     ///
     /// Each parameter is a difference, a reciprocal and a product: within 3u of its size. The exit is widened by `8u |exit|`: six roundings of entry and exit, one of the
     /// sum, one for all terms in u² (tested as `no_box_is_missed`). So a ray that passes by within `8u |t|` may be said to meet the box.
+    ///
+    /// # Edge cases
+    ///
+    /// A coordinate of the direction so near to 0 that its reciprocal overflows leaves its slab out: the ray may be said to meet a box that it passes by along that axis.
     ///
     /// # Source
     ///
