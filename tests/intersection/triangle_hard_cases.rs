@@ -90,6 +90,55 @@ fn size_of_a_triangle_may_be_anything() {
     }
 }
 
+/// **A bound that overflows bounds nothing.** A triangle of size $2^i$ at the distance $2^j$, and a ray with a direction of length $2^k$, from $2^{-1000}$ to $2^{1000}$. The volumes that decide may be finite while the one that gives $t$, and its error bound, are infinite; and infinity is not
+/// above infinity, so that a comparison lets it pass. What is not finite is therefore computed exactly, and each ray hits at $t=2^{j-k}$.
+#[test]
+fn infinite_bound_is_no_bound() {
+    let power = |exponent: i32| 2.0_f64.powi(exponent);
+    let exponents = || (-1000_i32..=1000).step_by(125);
+    let mut tried = 0;
+    for i in exponents().chain([342, 398, 499]) {
+        for j in exponents().chain([342, 398, 532, 665]) {
+            for k in exponents().chain([0]).filter(|k| (j - k).abs() <= 1000) {
+                let [s, z] = [i, j].map(power);
+                let corners = [[-s, -s, z], [2.0 * s, -s, z], [-s, 2.0 * s, z]];
+                let ray = Ray::new([0.0; 3], [0.0, 0.0, power(k)]);
+                let hit = robust(&corners, &ray).expect("inside");
+                assert_eq!((hit.t, hit.side), (power(j - k), Side::Back), "{i} {j} {k}");
+                let hit = Triangle::new(corners).expect("finite").intersect(&ray);
+                let hit = hit.expect("inside");
+                assert_eq!((hit.t, hit.normal), (power(j - k), [0.0, 0.0, 1.0]));
+                assert!(hit.point[0].abs() <= s * power(-17) && hit.point[2] == z);
+                tried += 1;
+            }
+        }
+    }
+    println!("{tried} triangles");
+}
+
+/// **Corners farther apart than the largest number.** With corners at $\pm1.5\cdot10^{308}$ the difference $\mathbf b-\mathbf a$ overflows. The point of the hit is between them all the same, and so is its bound.
+#[test]
+fn corners_may_be_farther_apart_than_the_largest_number() {
+    let s = 1.5e308;
+    let triangle = Triangle::new([[-s, -s, 1.0], [s, -s, 1.0], [-s, s, 1.0]]).expect("finite");
+    for [x, y] in [
+        [-0.5_f64, 0.25],
+        [-0.25, -0.5],
+        [0.5, -0.75],
+        [-0.875, 0.75],
+    ] {
+        let ray = Ray::new([x * s, y * s, 3.0], [0.0, 0.0, -1.0]);
+        let hit = triangle.intersect(&ray).expect("inside");
+        assert_eq!((hit.t, hit.side), (2.0, Side::Front));
+        let error = [0, 1].map(|axis: usize| f64::abs(hit.point[axis] - ray.origin[axis]));
+        assert!(
+            error.into_iter().all(|error| error <= hit.point_error),
+            "{hit:?}"
+        );
+        assert!(hit.point_error < 8.0 * f64::EPSILON * s, "{hit:?}");
+    }
+}
+
 /// **Scaling by powers of two changes no bit.** In the middle of the range of numbers the scaled tests give what the plain ones give, to the last bit.
 #[test]
 fn scaling_by_powers_of_two_changes_no_bit() {

@@ -85,16 +85,21 @@ impl<P: Vector3<Scalar: Real>> Intersect for Triangle<P> {
 ///
 /// Each product has three roundings, in the edge, the product and the sum: 3u. The weights may add up to 1 + 3u, which moves the
 /// point out of the triangle by 3u times the same. One more u for the terms of higher order. The last sum rounds by u of the result.
+///
+/// Where a difference overflows, everything is divided by 16 before, which leaves room for the bound as well: `7/8 + 1/16` of the largest number.
 // ANCHOR: point_on
 fn point_on([a, b, c]: [[f64; 3]; 3], [v, w]: [f64; 2]) -> ([f64; 3], f64) {
     let unit = f64::EPSILON / 2.0;
     let mut error = 0.0_f64;
     let point = [0, 1, 2].map(|axis| {
-        let [along_b, along_c] = [v * (b[axis] - a[axis]), w * (c[axis] - a[axis])];
-        let point = a[axis] + (along_b + along_c);
+        let overflows = !(b[axis] - a[axis] + (c[axis] - a[axis])).is_finite();
+        let scale = if overflows { 1.0 / 16.0 } else { 1.0 };
+        let [a, b, c] = [a, b, c].map(|corner| corner[axis] * scale);
+        let [along_b, along_c] = [v * (b - a), w * (c - a)];
+        let point = a + (along_b + along_c);
         let along = 7.0 * (along_b.abs() + along_c.abs());
-        error = error.max(unit * (point.abs() + along));
-        point
+        error = error.max(unit * (point.abs() + along) / scale);
+        point / scale
     });
     (point, error)
 }

@@ -97,9 +97,9 @@ impl Bounded {
         (self.value.abs() > self.error).then_some(self.value > 0.0)
     }
 
-    /// Whether the error is at most that part of `whole`; false for NaN.
+    /// Whether the error is at most that part of `whole`; false where either is infinite or NaN, since infinity is not above infinity.
     fn is_within(self, part: f64, whole: f64) -> bool {
-        self.error <= whole.abs() * part
+        whole.is_finite() && self.error <= whole.abs() * part
     }
 }
 
