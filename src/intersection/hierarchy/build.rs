@@ -235,8 +235,11 @@ struct Bins {
     numbers: [[u32; MOST_BINS]; 3],
 }
 
-/// Added to a number from 0 to 2²², it leaves the nearest integer in the low bits.
-const ROUNDING: f32 = 12_582_912.0;
+/// Added to a number below 2¹⁴ it leaves, in the bits above the lowest eight, the number's whole part: a conversion without a branch.
+const TO_BITS: f32 = 49_152.0;
+
+/// How much of the last bin is left free, so that no rounding leads beyond it.
+const ROOM: f32 = 1.0 / 128.0;
 
 impl Bins {
     fn new(primitives: &[Primitive], low: Vec3, extent: Vec3) -> Self {
@@ -245,8 +248,7 @@ impl Bins {
         } else {
             MOST_BINS
         };
-        // A hair below the number of bins, so that the last centre is in the last bin.
-        let most = count as f32 * (1.0 - 4.0 * f32::EPSILON);
+        let most = count as f32 - ROOM;
         let scale = extent
             .to_array()
             .map(|extent| if extent > 0.0 { most / extent } else { 0.0 });
@@ -269,10 +271,10 @@ impl Bins {
 
     #[inline]
     fn bin(&self, primitive: &Primitive) -> [usize; 3] {
-        let place = (primitive.centre() - self.low) * self.scale + (ROUNDING - 0.5);
+        let place = (primitive.centre() - self.low) * self.scale + TO_BITS;
         place
             .to_array()
-            .map(|place| place.to_bits() as usize & (MOST_BINS - 1))
+            .map(|place| (place.to_bits() >> 8) as usize & (MOST_BINS - 1))
     }
 
     /// The axis, and the first bin of the right side, of the cut with the least cost; `None` where all are in one bin.

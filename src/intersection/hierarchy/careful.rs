@@ -10,7 +10,7 @@ use glam::{DVec3, Vec3};
 
 use super::Hierarchy;
 use super::confirm::{Confirmed, Line, confirm};
-use super::node::{Child, Leaf, Node};
+use super::node::{Child, Leaf};
 
 /// By what part of itself a plane's t is widened.
 const WIDENING: f64 = 16.0 * f64::EPSILON;
@@ -19,7 +19,7 @@ impl Hierarchy {
     /// The nearest hit, or any hit.
     #[cold]
     pub(super) fn walk_carefully(&self, line: &Line, any: bool) -> Option<Confirmed> {
-        let scale = f64::from(self.scale);
+        let scale = f64::from(self.scene.scale);
         let slabs = Slabs {
             origin: line.origin.as_dvec3() * scale,
             inverse: 1.0 / (line.direction.as_dvec3() * scale),
@@ -42,11 +42,8 @@ impl Hierarchy {
             }
             let node = &self.tree.nodes[next.index()];
             let end = best.map_or(f64::from(line.end), |best| best.latest());
-            waiting.extend(
-                (0..8)
-                    .filter(|&lane| slabs.meet(node, lane, end))
-                    .map(|lane| node.children[lane]),
-            );
+            let met = node.boxes().filter(|&(_, bounds)| slabs.meet(bounds, end));
+            waiting.extend(met.map(|(child, _)| child));
         }
         best
     }
@@ -65,14 +62,8 @@ struct Slabs {
 }
 
 impl Slabs {
-    /// Whether the line may meet the box of a child before `end`.
-    fn meet(&self, node: &Node, lane: usize, end: f64) -> bool {
-        let plane = |index: usize| node.planes[index].as_array()[lane];
-        let low = Vec3::new(plane(0), plane(1), plane(2));
-        let high = Vec3::new(plane(3), plane(4), plane(5));
-        if low.x > high.x {
-            return false;
-        }
+    /// Whether the line may meet a box before `end`.
+    fn meet(&self, [low, high]: [Vec3; 2], end: f64) -> bool {
         let (mut entry, mut exit) = (self.start, end);
         for axis in 0..3 {
             let (mut near, mut far) = (f64::from(low[axis]), f64::from(high[axis]));

@@ -43,26 +43,30 @@ pub(super) struct Line {
 }
 
 impl Line {
+    /// The line of a ray that is known to be sound.
+    #[inline(always)]
+    pub(super) fn of(ray: &Ray<Vec3>) -> Self {
+        Self {
+            origin: ray.origin,
+            direction: ray.direction,
+            start: ray.start.max(-f32::MAX),
+            end: ray.end.unwrap_or(f32::MAX).min(f32::MAX),
+        }
+    }
+
     /// The ray's line; `None` for a ray that meets nothing whatever there is. A ray without an end ends at `f32::MAX`.
     #[inline(always)]
     pub(super) fn new(ray: &Ray<Vec3>) -> Option<Self> {
-        let end = ray.end.unwrap_or(f32::MAX).min(f32::MAX);
-        let start = ray.start.max(-f32::MAX);
+        let line = Self::of(ray);
         let is_sound = ray.origin.is_finite()
             && ray.direction.is_finite()
             && ray.direction != Vec3::ZERO
-            && start < end
+            && line.start < line.end
             && !ray.start.is_nan()
             && !ray.end.is_some_and(f32::is_nan);
-        is_sound.then_some(Self {
-            origin: ray.origin,
-            direction: ray.direction,
-            start,
-            end,
-        })
+        is_sound.then_some(line)
     }
 }
-
 /// A hit that is certain, in the interval of its ray.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Confirmed {

@@ -25,6 +25,8 @@ mod collapse;
 mod confirm;
 mod exact;
 mod hit_point;
+mod layout;
+mod leaf_test;
 mod node;
 mod order;
 mod prepared;
@@ -32,6 +34,7 @@ mod stack;
 mod statistics;
 mod stream;
 mod traverse;
+mod walk;
 
 use glam::Vec3;
 use thiserror::Error;
@@ -39,7 +42,7 @@ use thiserror::Error;
 use self::build::{BinaryNode, Builder, Primitive};
 use self::confirm::{Confirmed, Line, confirm};
 use self::node::Tree;
-use self::prepared::Prepared;
+use self::prepared::{Group, Scene};
 use self::stack::Stack;
 pub use self::statistics::{Shape, Visits};
 use self::stream::{Any, Nearest, Walkers};
@@ -100,9 +103,7 @@ pub struct Found {
 pub struct Hierarchy {
     triangles: Vec<[Vec3; 3]>,
     tree: Tree,
-    /// The power of two that the tree's coordinates are multiplied by, and the largest of them.
-    scale: f32,
-    largest: f32,
+    scene: Scene,
 }
 
 impl Hierarchy {
@@ -143,11 +144,14 @@ impl Hierarchy {
                 .collect();
             build_tree(&scaled, true)
         };
+        let scene = Scene {
+            scale,
+            largest: largest * scale,
+        };
         Ok(Self {
             triangles,
             tree,
-            scale,
-            largest: largest * scale,
+            scene,
         })
     }
 
@@ -196,6 +200,7 @@ impl Hierarchy {
             hierarchy: self,
             stack: Stack::new(),
             walkers: Walkers::new(),
+            group: Group::new(),
         }
     }
 }
@@ -243,6 +248,7 @@ pub struct Query<'a> {
     hierarchy: &'a Hierarchy,
     stack: Box<Stack>,
     walkers: Walkers,
+    group: Group,
 }
 
 impl Query<'_> {
@@ -250,16 +256,14 @@ impl Query<'_> {
     #[inline]
     pub fn nearest(&mut self, ray: &Ray<Vec3>) -> Option<Found> {
         let hierarchy = self.hierarchy;
-        let line = Line::new(ray)?;
         if hierarchy.triangles.is_empty() {
             return None;
         }
-        let reach = Prepared::reach(&line, hierarchy.scale, hierarchy.largest);
-        let hit = if Prepared::is_ordinary(&line, reach) {
-            let ray = Prepared::new(&line, hierarchy.scale, reach);
-            hierarchy.nearest(&line, &ray, &mut self.stack, &mut ())
+        self.group.fill(std::slice::from_ref(ray), hierarchy.scene);
+        let hit = if self.group.ordinary == 1 {
+            hierarchy.nearest(ray, &self.group.rays[0], &mut self.stack, &mut ())
         } else {
-            hierarchy.walk_carefully(&line, false)
+            hierarchy.walk_carefully(&Line::new(ray)?, false)
         };
         hit.as_ref().map(found)
     }
@@ -273,16 +277,14 @@ impl Query<'_> {
     /// Whether the ray meets any triangle.
     pub fn is_hit(&mut self, ray: &Ray<Vec3>) -> bool {
         let hierarchy = self.hierarchy;
-        let Some(line) = Line::new(ray).filter(|_| !hierarchy.triangles.is_empty()) else {
+        if hierarchy.triangles.is_empty() {
             return false;
-        };
-        let reach = Prepared::reach(&line, hierarchy.scale, hierarchy.largest);
-        if Prepared::is_ordinary(&line, reach) {
-            let ray = Prepared::new(&line, hierarchy.scale, reach);
-            hierarchy.any(&line, &ray, &mut self.stack)
-        } else {
-            hierarchy.walk_carefully(&line, true).is_some()
         }
+        self.group.fill(std::slice::from_ref(ray), hierarchy.scene);
+        if self.group.ordinary == 1 {
+            return hierarchy.any(ray, &self.group.rays[0], &mut self.stack);
+        }
+        Line::new(ray).is_some_and(|line| hierarchy.walk_carefully(&line, true).is_some())
     }
 
     /// [`nearest`](Self::nearest) of many rays: `found[i]` is that of `rays[i]`. Where one slice is longer, its rest is left alone.

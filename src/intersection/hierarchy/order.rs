@@ -8,29 +8,51 @@
 //!
 //! H. Ylitie, T. Karras, S. Laine, *Efficient incoherent ray traversal on GPUs through compressed wide BVHs*, 2017, section 3.3 (the order).
 
+use wide::u32x8;
+
 use super::collapse::WIDTH;
 
-/// For each octant and each set of lanes: the lanes in the order of the stack.
-pub(super) static LANES: [[[u8; WIDTH]; 256]; 8] = lanes();
+/// The lanes of a set of children in the order of the stack, for rays whose direction has these signs.
+#[inline(always)]
+pub(super) fn in_order(octant: u32, set: u32) -> u32x8 {
+    lanes_of(&LANES[(octant << 8 | set) as usize & 0x7ff])
+}
 
-const fn lanes() -> [[[u8; WIDTH]; 256]; 8] {
-    let mut table = [[[0; WIDTH]; 256]; 8];
-    let mut octant = 0;
-    while octant < 8 {
-        let mut set = 0;
-        while set < 256 {
-            let (mut rank, mut found) = (8, 0);
-            while rank > 0 {
-                rank -= 1;
-                let lane = rank ^ octant;
-                if set >> lane & 1 == 1 {
-                    table[octant][set][found] = lane as u8;
-                    found += 1;
-                }
+/// Eight lanes from eight bytes.
+#[inline(always)]
+pub(super) fn lanes_of(bytes: &[u8; WIDTH]) -> u32x8 {
+    let [a, b, c, d, e, f, g, h] = *bytes;
+    u32x8::new([
+        a.into(),
+        b.into(),
+        c.into(),
+        d.into(),
+        e.into(),
+        f.into(),
+        g.into(),
+        h.into(),
+    ])
+}
+
+/// For each octant and each set of lanes.
+static LANES: [[u8; WIDTH]; 8 * 256] = lanes();
+
+#[allow(clippy::cast_possible_truncation, reason = "lanes are below 8")]
+const fn lanes() -> [[u8; WIDTH]; 8 * 256] {
+    let mut table = [[0; WIDTH]; 8 * 256];
+    let mut index = 0;
+    while index < table.len() {
+        let (octant, set) = (index >> 8, index & 0xff);
+        let (mut rank, mut found) = (WIDTH, 0);
+        while rank > 0 {
+            rank -= 1;
+            let lane = rank ^ octant;
+            if set >> lane & 1 == 1 {
+                table[index][found] = lane as u8;
+                found += 1;
             }
-            set += 1;
         }
-        octant += 1;
+        index += 1;
     }
     table
 }

@@ -25,9 +25,9 @@
 //! the reciprocal and the product with it (2) make 9u R more; [`DISTANCE_ERROR`] covers the second order.
 
 use glam::Vec3;
-use wide::f32x8;
+use wide::{f32x8, u32x8};
 
-use super::confirm::Line;
+use crate::ray::Ray;
 
 /// The unit roundoff of `f32`.
 const U: f32 = f32::EPSILON / 2.0;
@@ -45,136 +45,242 @@ const DISTANCE_ERROR: f32 = 10.0;
 const LEAST_SLOPE: f32 = f32::EPSILON;
 
 /// The range of R within which no product of the tests overflows, and no underflow counts.
-const ORDINARY_REACH: std::ops::Range<f32> = 1.0 / (1_u64 << 40) as f32..(1_u64 << 40) as f32;
+const LEAST_REACH: f32 = 1.0 / (1_u64 << 40) as f32;
+const LARGEST_REACH: f32 = (1_u64 << 40) as f32;
 
-/// The range of the direction's largest coordinate that needs no care.
-const ORDINARY_SPEED: std::ops::Range<f32> = 1.0 / (1_u128 << 100) as f32..(1_u128 << 100) as f32;
+/// The range of the direction's largest coordinate, and of the parameter's unit, that needs no care.
+const LEAST_SPEED: f32 = 1.0 / (1_u64 << 60) as f32;
+const LARGEST_SPEED: f32 = (1_u64 << 60) as f32;
 
-/// A number known to be between two others.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Interval {
-    pub(super) low: f32,
-    pub(super) high: f32,
-}
-
-impl Interval {
-    /// Around a number that is not negative.
-    #[inline]
-    fn around(value: f64) -> Self {
-        #[allow(
-            clippy::cast_possible_truncation,
-            reason = "widened by one rounding on both sides"
-        )]
-        let rounded = value as f32;
-        Self {
-            low: (rounded * (1.0 - 2.0 * U)).min(f32::MAX),
-            high: rounded * (1.0 + 2.0 * U),
-        }
-    }
-}
+/// How many rays are prepared at once.
+pub(super) const GROUP: usize = 8;
 
 /// A ray ready for boxes and leaves.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
+#[repr(C)]
 pub(super) struct Prepared {
     /// q, for each axis.
-    pub(super) inverse: [f32; 3],
+    pub(super) q: [f32; 3],
     /// `o q` with the margin added: what is taken from p q where the ray enters.
     pub(super) entry: [f32; 3],
-    /// `o q` with the margin taken away.
-    pub(super) exit: [f32; 3],
-    /// Which planes of a node are those of entry: 0, 1, 2 for the low ones and 3, 4, 5 for the high ones.
-    pub(super) near: [usize; 3],
-    /// A bit for each negative coordinate of the direction.
-    pub(super) octant: usize,
-    pub(super) far: [usize; 3],
-    /// The axes x, y, z of the leaf's test.
-    pub(super) axes: [usize; 3],
-    /// The origin in their order.
+    /// Twice the margin: what is added where it leaves.
+    pub(super) widening: [f32; 3],
+    /// The origin along the axes x, y, z of the leaf's test.
     pub(super) origin: [f32; 3],
     /// `d_x / d_z` and `d_y / d_z`.
     pub(super) shear: [f32; 2],
     /// The sign of `d_z`.
     pub(super) sign: f32,
-    /// 13 e.
-    pub(super) edge_margin: f32,
-    /// 3 e.
-    pub(super) slack: f32,
-    pub(super) distance_error: f32,
-    /// Where the ray's interval starts and ends, as s.
-    pub(super) start: Interval,
-    pub(super) end: Interval,
+    /// u R, which all errors are multiples of.
+    pub(super) unit: f32,
+    /// Where the ray's interval starts and ends, as s: between which bounds.
+    pub(super) start: [f32; 2],
+    pub(super) end: [f32; 2],
+    /// A bit for each negative coordinate of the direction.
+    pub(super) octant: u32,
+    /// The axis z.
+    pub(super) axis: u32,
+}
+
+/// What a tree must tell for rays to be prepared.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Scene {
+    /// The power of two that its coordinates are multiplied by.
+    pub(super) scale: f32,
+    /// The largest of them after that.
+    pub(super) largest: f32,
+}
+
+/// Some rays, prepared.
+#[derive(Clone, Debug)]
+pub(super) struct Group {
+    pub(super) rays: [Prepared; GROUP],
+    /// A bit for each that the margins hold for: not for a start below 0, and not where origin or direction are of another world's size, NaN or zero.
+    pub(super) ordinary: u32,
+}
+
+impl Group {
+    pub(super) fn new() -> Self {
+        Self {
+            rays: [Prepared::default(); GROUP],
+            ordinary: 0,
+        }
+    }
+
+    /// Prepares up to eight rays.
+    #[inline(always)]
+    pub(super) fn fill(&mut self, rays: &[Ray<Vec3>], scene: Scene) {
+        let zero = f32x8::ZERO;
+        let (mut o, mut d, mut start, mut end) = ([zero; 3], [zero; 3], zero, zero);
+        for (lane, ray) in rays.iter().enumerate().take(GROUP) {
+            for axis in 0..3 {
+                o[axis].as_mut_array()[lane] = ray.origin[axis];
+                d[axis].as_mut_array()[lane] = ray.direction[axis];
+            }
+            start.as_mut_array()[lane] = ray.start;
+            end.as_mut_array()[lane] = ray.end.unwrap_or(f32::MAX);
+        }
+        self.fill_lanes(o, d, start, end, scene);
+        self.ordinary &= (1 << rays.len().min(GROUP)) - 1;
+    }
+
+    #[inline(always)]
+    fn fill_lanes(&mut self, o: [f32x8; 3], d: [f32x8; 3], start: f32x8, end: f32x8, scene: Scene) {
+        let splat = f32x8::splat;
+        let scale = splat(scene.scale);
+        let [ox, oy, oz] = [o[0] * scale, o[1] * scale, o[2] * scale];
+        let [dx, dy, dz] = d;
+        let [sx, sy, sz] = [dx.abs(), dy.abs(), dz.abs()];
+        let speed = sx.fast_max(sy).fast_max(sz);
+        let length = speed * scale;
+        let reach = (splat(scene.largest) + ox.abs().fast_max(oy.abs()).fast_max(oz.abs()))
+            * splat(1.0 + 4.0 * U);
+        // A sum is NaN where a coordinate is, unlike a maximum.
+        let of_origin = ox.abs() + oy.abs() + oz.abs();
+        let of_direction = sx + sy + sz;
+        let is_ordinary = reach.simd_ge(splat(LEAST_REACH))
+            & reach.simd_le(splat(LARGEST_REACH))
+            & of_origin.simd_le(splat(3.0 * LARGEST_REACH))
+            & speed.simd_ge(splat(LEAST_SPEED))
+            & of_direction.simd_le(splat(LARGEST_SPEED))
+            & length.simd_ge(splat(LEAST_SPEED))
+            & length.simd_le(splat(LARGEST_SPEED))
+            & start.simd_ge(zero())
+            & start.simd_lt(end);
+        self.ordinary = is_ordinary.to_bitmask();
+
+        let z_is_x = sx.simd_ge(sy) & sx.simd_ge(sz);
+        let z_is_y = sy.simd_ge(sz);
+        let rotated = |[x, y, z]: [f32x8; 3]| {
+            let pick = |for_x: f32x8, for_y: f32x8, for_z: f32x8| {
+                z_is_x.select(for_x, z_is_y.select(for_y, for_z))
+            };
+            [pick(y, z, x), pick(z, x, y), pick(x, y, z)]
+        };
+        let [ax, ay, az] = rotated([dx, dy, dz]);
+        let unit = reach * splat(U);
+        let least = speed * splat(LEAST_SLOPE);
+        let sign_bit = splat(-0.0);
+        let (mut q, mut entry, mut widening) = ([zero(); 3], [zero(); 3], [zero(); 3]);
+        for (axis, (o, (d, s))) in [ox, oy, oz]
+            .into_iter()
+            .zip([dx, dy, dz].into_iter().zip([sx, sy, sz]))
+            .enumerate()
+        {
+            let slope = s.fast_max(least) | (d & sign_bit);
+            q[axis] = speed / slope;
+            let margin = q[axis].abs() * (unit * splat(SLAB_MARGIN));
+            entry[axis] = o * q[axis] + margin;
+            widening[axis] = (margin + margin) * splat(1.0 + 4.0 * U);
+        }
+        let (start, end) = (start * length, end * length);
+        let (down, up) = (splat(1.0 - 4.0 * U), splat(1.0 + 4.0 * U));
+        let octant = u32x8::splat(1) & (dx.to_bits() >> 31)
+            | u32x8::splat(2) & (dy.to_bits() >> 30)
+            | u32x8::splat(4) & (dz.to_bits() >> 29);
+        let axis = z_is_x.select(
+            zero(),
+            z_is_y.select(
+                f32x8::from_bits(u32x8::splat(1)),
+                f32x8::from_bits(u32x8::splat(2)),
+            ),
+        );
+        let columns = Columns {
+            q,
+            entry,
+            widening,
+            origin: rotated([ox, oy, oz]),
+            shear: [ax / az, ay / az],
+            sign: f32x8::ONE | (az & sign_bit),
+            unit,
+            start: [start * down, start * up],
+            end: [(end * down).fast_min(splat(f32::MAX)), end * up],
+            octant,
+            axis: axis.to_bits(),
+        };
+        for (lane, ray) in self.rays.iter_mut().enumerate() {
+            *ray = columns.row(lane);
+        }
+    }
+}
+
+#[inline(always)]
+fn zero() -> f32x8 {
+    f32x8::ZERO
+}
+
+/// A field of [`Prepared`] for eight rays.
+struct Columns {
+    q: [f32x8; 3],
+    entry: [f32x8; 3],
+    widening: [f32x8; 3],
+    origin: [f32x8; 3],
+    shear: [f32x8; 2],
+    sign: f32x8,
+    unit: f32x8,
+    start: [f32x8; 2],
+    end: [f32x8; 2],
+    octant: u32x8,
+    axis: u32x8,
+}
+
+impl Columns {
+    #[inline(always)]
+    fn row(&self, lane: usize) -> Prepared {
+        let three =
+            |[x, y, z]: &[f32x8; 3]| [x.as_array()[lane], y.as_array()[lane], z.as_array()[lane]];
+        let two = |[x, y]: &[f32x8; 2]| [x.as_array()[lane], y.as_array()[lane]];
+        Prepared {
+            q: three(&self.q),
+            entry: three(&self.entry),
+            widening: three(&self.widening),
+            origin: three(&self.origin),
+            shear: two(&self.shear),
+            sign: self.sign.as_array()[lane],
+            unit: self.unit.as_array()[lane],
+            start: two(&self.start),
+            end: two(&self.end),
+            octant: self.octant.as_array()[lane],
+            axis: self.axis.as_array()[lane],
+        }
+    }
 }
 
 impl Prepared {
-    /// Whether the margins hold: not for a start below 0, and not where origin or direction are of another world's size. `reach` is R.
-    #[inline(always)]
-    pub(super) fn is_ordinary(line: &Line, reach: f32) -> bool {
-        let speed = line.direction.abs().max_element();
-        ORDINARY_REACH.contains(&reach) && ORDINARY_SPEED.contains(&speed) && line.start >= 0.0
-    }
-
-    /// R, for a scene with this largest coordinate.
-    #[inline(always)]
-    pub(super) fn reach(line: &Line, scale: f32, largest: f32) -> f32 {
-        let o = line.origin * scale;
-        (largest + o.abs().max_element()) * (1.0 + 4.0 * U)
-    }
-
-    /// An ordinary line, for a tree with coordinates scaled by `scale`.
-    #[inline(always)]
-    pub(super) fn new(line: &Line, scale: f32, reach: f32) -> Self {
-        let (o, d) = (line.origin * scale, line.direction);
-        let size = d.abs();
-        let speed = size.max_element();
-        let z = if size.x >= size.y {
-            if size.x >= size.z { 0 } else { 2 }
-        } else if size.y >= size.z {
-            1
-        } else {
-            2
-        };
-        let x = if z == 2 { 0 } else { z + 1 };
-        let y = if x == 2 { 0 } else { x + 1 };
-        let slope = size.max(Vec3::splat(LEAST_SLOPE * speed)).copysign(d);
-        let inverse = Vec3::splat(speed) / slope;
-        let margin = inverse.abs() * (SLAB_MARGIN * U * reach);
-        let offset = o * inverse;
-        let is_backwards = d.is_negative_bitmask() as usize;
-        let near = [0, 1, 2].map(|axis| axis + 3 * (is_backwards >> axis & 1));
-        let unit = f64::from(speed) * f64::from(scale);
-        let e = SHEAR_ERROR * U * reach;
-        let shear = d / d[z];
-        Self {
-            inverse: inverse.into(),
-            entry: (offset + margin).into(),
-            exit: (offset - margin).into(),
-            near,
-            octant: is_backwards,
-            far: [3 - near[0], 5 - near[1], 7 - near[2]],
-            axes: [x, y, z],
-            origin: [o[x], o[y], o[z]],
-            shear: [shear[x], shear[y]],
-            sign: 1.0_f32.copysign(d[z]),
-            edge_margin: 13.0 * e,
-            slack: 3.0 * e,
-            distance_error: DISTANCE_ERROR * U * reach,
-            start: Interval::around(f64::from(line.start) * unit),
-            end: Interval::around(f64::from(line.end) * unit),
-        }
-    }
-
     /// Where the ray enters and leaves the eight boxes of a node, widened: `entry <= exit` for each box that the line meets between `start` and `end`.
     #[inline(always)]
-    pub(super) fn slabs(&self, planes: &[f32x8; 6], start: f32, end: f32) -> (f32x8, f32x8) {
-        let mut entry = f32x8::splat(start);
+    pub(super) fn slabs(&self, planes: &[f32x8; 6], end: f32) -> (f32x8, f32x8) {
+        let mut entry = f32x8::splat(self.start[0]);
         let mut exit = f32x8::splat(end);
         for axis in 0..3 {
-            let q = f32x8::splat(self.inverse[axis]);
-            let near = planes[self.near[axis]].mul_sub(q, f32x8::splat(self.entry[axis]));
-            let far = planes[self.far[axis]].mul_sub(q, f32x8::splat(self.exit[axis]));
-            entry = near.fast_max(entry);
-            exit = far.fast_min(exit);
+            let (q, o) = (f32x8::splat(self.q[axis]), f32x8::splat(self.entry[axis]));
+            let first = planes[axis].mul_sub(q, o);
+            let second = planes[axis + 3].mul_sub(q, o);
+            entry = entry.fast_max(first.fast_min(second));
+            exit = exit.fast_min(first.fast_max(second) + f32x8::splat(self.widening[axis]));
         }
         (entry, exit)
+    }
+
+    /// 13 e, which the margin of an edge function is a multiple of.
+    #[inline(always)]
+    pub(super) fn edge_margin(&self) -> f32 {
+        13.0 * SHEAR_ERROR * self.unit
+    }
+
+    /// 3 e.
+    #[inline(always)]
+    pub(super) fn slack(&self) -> f32 {
+        3.0 * SHEAR_ERROR * self.unit
+    }
+
+    #[inline(always)]
+    pub(super) fn distance_error(&self) -> f32 {
+        DISTANCE_ERROR * self.unit
+    }
+
+    /// How s is made of t: the unit of `line` in the tree's coordinates.
+    pub(super) fn unit_of(line: &Ray<Vec3>, scale: f32) -> f64 {
+        f64::from(line.direction.abs().max_element()) * f64::from(scale)
     }
 }

@@ -11,6 +11,8 @@ const SIZE: usize = 1024;
 #[derive(Clone, Debug)]
 pub(super) struct Stack {
     distances: [u32; SIZE],
+    /// Keeps the two apart by other than a power of two, so that their places do not share a set of the cache.
+    apart: [u32; 48],
     children: [u32; SIZE],
 }
 
@@ -19,6 +21,7 @@ impl Stack {
     pub(super) fn new() -> Box<Self> {
         Box::new(Self {
             distances: [0; SIZE],
+            apart: [0; 48],
             children: [Child::END.0; SIZE],
         })
     }
@@ -34,13 +37,9 @@ impl Stack {
     /// Writes eight entries from `top` on, of which the caller counts those that matter.
     #[inline(always)]
     pub(super) fn write(&mut self, top: usize, distances: u32x8, children: u32x8) {
-        // No tree is so deep that this is not there.
-        if let (Some(near), Some(child)) = (
-            self.distances[top..].first_chunk_mut(),
-            self.children[top..].first_chunk_mut(),
-        ) {
-            *near = distances.to_array();
-            *child = children.to_array();
-        }
+        // No tree is so deep that the minimum matters: it tells the compiler that the slices are there.
+        let places = top.min(SIZE - 8)..top.min(SIZE - 8) + 8;
+        self.distances[places.clone()].copy_from_slice(distances.as_array());
+        self.children[places].copy_from_slice(children.as_array());
     }
 }

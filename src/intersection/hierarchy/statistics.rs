@@ -2,9 +2,7 @@
 
 use glam::Vec3;
 
-use super::confirm::Line;
 use super::node::{Child, Tree};
-use super::prepared::Prepared;
 use super::{Hierarchy, Query};
 use crate::ray::Ray;
 
@@ -72,13 +70,9 @@ impl Query<'_> {
     pub fn visits(&mut self, ray: &Ray<Vec3>) -> Visits {
         let mut visits = Visits::default();
         let hierarchy = self.hierarchy;
-        if let Some(line) = Line::new(ray)
-            && !hierarchy.triangles.is_empty()
-            && let reach = Prepared::reach(&line, hierarchy.scale, hierarchy.largest)
-            && Prepared::is_ordinary(&line, reach)
-        {
-            let prepared = Prepared::new(&line, hierarchy.scale, reach);
-            hierarchy.nearest(&line, &prepared, &mut self.stack, &mut visits);
+        self.group.fill(std::slice::from_ref(ray), hierarchy.scene);
+        if !hierarchy.triangles.is_empty() && self.group.ordinary == 1 {
+            hierarchy.nearest(ray, &self.group.rays[0], &mut self.stack, &mut visits);
         }
         visits
     }
@@ -120,7 +114,7 @@ impl Hierarchy {
                 .filter(|child| !child.is_leaf())
                 .map(|child| &self.tree.nodes[child.index()]);
             let below: Vec<_> = nodes.flat_map(super::node::Node::boxes).collect();
-            let unscaled = |bounds: [Vec3; 2]| bounds.map(|corner| corner / self.scale);
+            let unscaled = |bounds: [Vec3; 2]| bounds.map(|corner| corner / self.scene.scale);
             level = below.iter().map(|&(child, _)| child).collect();
             if !below.is_empty() {
                 levels.push(

@@ -8,9 +8,9 @@ use glam::Vec3;
 
 use super::confirm::Line;
 use super::node::Child;
-use super::prepared::Prepared;
+use super::prepared::{GROUP, Group, Prepared};
 use super::stack::Stack;
-use super::traverse::Walk;
+use super::walk::{Place, Walk};
 use super::{Found, Hierarchy, found};
 use crate::ray::Ray;
 
@@ -21,6 +21,7 @@ pub(super) const AT_ONCE: usize = 16;
 #[derive(Clone, Debug)]
 pub(super) struct Walkers {
     walks: Vec<Walker>,
+    group: Group,
 }
 
 /// One of them.
@@ -28,7 +29,6 @@ pub(super) struct Walkers {
 struct Walker {
     /// Which ray of the stream.
     index: usize,
-    line: Line,
     walk: Walk,
     stack: Box<Stack>,
 }
@@ -98,7 +98,10 @@ impl Question for Any<'_> {
 
 impl Walkers {
     pub(super) fn new() -> Self {
-        Self { walks: Vec::new() }
+        Self {
+            walks: Vec::new(),
+            group: Group::new(),
+        }
     }
 
     /// Asks the question of all rays, of which there are as many as answers.
@@ -108,106 +111,108 @@ impl Walkers {
         rays: &[Ray<Vec3>],
         question: &mut Q,
     ) {
-        let mut next = 0;
+        let mut queue = Queue {
+            hierarchy,
+            rays,
+            group: &mut self.group,
+            next: 0,
+        };
         let mut at_nodes = List::EMPTY;
-        self.walks.clear();
-        while self.walks.len() < AT_ONCE
-            && let Some((index, line, ray)) = started(hierarchy, rays, &mut next, question)
-        {
-            at_nodes.push_if(self.walks.len(), true);
-            self.walks.push(Walker {
-                index,
-                line,
-                walk: Walk::new(ray),
-                stack: Stack::new(),
-            });
+        for number in 0..AT_ONCE {
+            let Some((index, ray)) = queue.next(question) else {
+                break;
+            };
+            let walk = Walk::new(ray);
+            match self.walks.get_mut(number) {
+                Some(walker) => (walker.index, walker.walk) = (index, walk),
+                None => self.walks.push(Walker {
+                    index,
+                    walk,
+                    stack: Stack::new(),
+                }),
+            }
+            at_nodes.push_if(number, true);
         }
+        let walks = &mut self.walks[..];
         let nodes = &hierarchy.tree.nodes[..];
         while at_nodes.count > 0 {
-            let (mut still_at_nodes, mut at_leaves, mut at_ends) =
-                (List::EMPTY, List::EMPTY, List::EMPTY);
+            let (mut still_at_nodes, mut at_leaves) = (List::EMPTY, List::EMPTY);
             for place in 0..at_nodes.count {
                 let number = at_nodes.get(place);
-                let Walker { walk, stack, .. } = &mut self.walks[number];
-                let node = &nodes[walk.current.index()];
-                if Q::ANY {
-                    walk.visit_for_any(node, stack);
-                } else {
-                    walk.visit(node, stack);
-                }
-                let (is_leaf, is_end) = (walk.current.is_leaf(), walk.current == Child::END);
-                still_at_nodes.push_if(number, !is_leaf);
-                at_leaves.push_if(number, is_leaf && !is_end);
-                at_ends.push_if(number, is_end);
+                let Walker { walk, stack, .. } = &mut walks[number];
+                walk.visit(&nodes[walk.current.index()], stack);
+                still_at_nodes.push_if(number, !walk.current.is_leaf());
+                at_leaves.push_if(number, walk.current.is_leaf());
             }
             while at_leaves.count > 0 {
                 let mut still_at_leaves = List::EMPTY;
                 for place in 0..at_leaves.count {
                     let number = at_leaves.get(place);
-                    let Walker {
-                        walk,
-                        stack,
-                        line,
-                        index,
-                    } = &mut self.walks[number];
-                    if Q::ANY {
-                        if hierarchy.visit_leaf_for_any(line, walk, stack) {
+                    let Walker { walk, stack, index } = &mut walks[number];
+                    if walk.current != Child::END {
+                        if !Q::ANY {
+                            hierarchy.visit_leaf(&rays[*index], walk, stack);
+                        } else if hierarchy.visit_leaf_for_any(&rays[*index], walk, stack) {
                             question.answer_any(*index, true);
-                            *index = usize::MAX;
                             walk.current = Child::END;
+                            walk.place.leaf = 0;
                         }
                     } else {
-                        hierarchy.visit_leaf(line, walk, stack);
+                        if Q::ANY {
+                            if walk.place == Place::NONE {
+                                question.answer_any(*index, false);
+                            }
+                        } else {
+                            let hit = hierarchy.outcome(&rays[*index], walk);
+                            question.answer(*index, hit.as_ref().map(found));
+                        }
+                        let Some((next, ray)) = queue.next(question) else {
+                            continue;
+                        };
+                        (*index, *walk) = (next, Walk::new(ray));
                     }
-                    let (is_leaf, is_end) = (walk.current.is_leaf(), walk.current == Child::END);
-                    still_at_nodes.push_if(number, !is_leaf);
-                    still_at_leaves.push_if(number, is_leaf && !is_end);
-                    at_ends.push_if(number, is_end);
+                    still_at_nodes.push_if(number, !walk.current.is_leaf());
+                    still_at_leaves.push_if(number, walk.current.is_leaf());
                 }
                 at_leaves = still_at_leaves;
-            }
-            for place in 0..at_ends.count {
-                let number = at_ends.get(place);
-                let walker = &mut self.walks[number];
-                if Q::ANY {
-                    if walker.index != usize::MAX {
-                        question.answer_any(walker.index, false);
-                    }
-                } else {
-                    let hit = hierarchy.outcome(&walker.line, &walker.walk);
-                    question.answer(walker.index, hit.as_ref().map(found));
-                }
-                if let Some((index, line, ray)) = started(hierarchy, rays, &mut next, question) {
-                    (walker.index, walker.line, walker.walk) = (index, line, Walk::new(ray));
-                    still_at_nodes.push_if(number, true);
-                }
             }
             at_nodes = still_at_nodes;
         }
     }
 }
 
-/// The next ray that has a way to go; those without are answered.
-#[inline(always)]
-fn started<Q: Question>(
-    hierarchy: &Hierarchy,
-    rays: &[Ray<Vec3>],
-    next: &mut usize,
-    question: &mut Q,
-) -> Option<(usize, Line, Prepared)> {
-    while let Some(ray) = rays.get(*next) {
-        let index = *next;
-        *next += 1;
-        let Some(line) = Line::new(ray) else {
-            question.answer(index, None);
-            continue;
-        };
-        let reach = Prepared::reach(&line, hierarchy.scale, hierarchy.largest);
-        if Prepared::is_ordinary(&line, reach) {
-            return Some((index, line, Prepared::new(&line, hierarchy.scale, reach)));
+/// The rays that have not started yet.
+struct Queue<'a> {
+    hierarchy: &'a Hierarchy,
+    rays: &'a [Ray<Vec3>],
+    group: &'a mut Group,
+    next: usize,
+}
+
+impl Queue<'_> {
+    /// The next ray that has a way to go; those without are answered.
+    #[inline(always)]
+    fn next<Q: Question>(&mut self, question: &mut Q) -> Option<(usize, Prepared)> {
+        while self.next < self.rays.len() {
+            let (index, lane) = (self.next, self.next % GROUP);
+            if lane == 0 {
+                self.group.fill(&self.rays[index..], self.hierarchy.scene);
+            }
+            self.next += 1;
+            if self.group.ordinary >> lane & 1 == 1 {
+                return Some((index, self.group.rays[lane]));
+            }
+            question.answer(index, self.carefully(index, Q::ANY));
         }
-        let hit = hierarchy.walk_carefully(&line, Q::ANY);
-        question.answer(index, hit.as_ref().map(found));
+        None
     }
-    None
+
+    #[cold]
+    fn carefully(&self, index: usize, any: bool) -> Option<Found> {
+        let line = Line::new(&self.rays[index])?;
+        self.hierarchy
+            .walk_carefully(&line, any)
+            .as_ref()
+            .map(found)
+    }
 }

@@ -1,0 +1,75 @@
+//! The test of a leaf: up to eight triangles at once, certain or possible.
+
+use wide::{f32x8, u32x8};
+
+use super::node::Leaf;
+use super::order::lanes_of;
+use super::prepared::Prepared;
+
+/// Which triangles of a leaf the line may meet, and what is known of where.
+pub(super) struct Candidates {
+    /// A bit for each triangle that may be met.
+    pub(super) possible: u32,
+    /// A bit for each that is met, if in the ray's interval.
+    pub(super) certain: u32,
+    /// For those: between which bounds s is.
+    pub(super) low: f32x8,
+    pub(super) high: f32x8,
+}
+
+impl Prepared {
+    /// The triangles of a leaf that the line may meet; `None` where there are none. The line meets the leaf's box.
+    #[inline(always)]
+    pub(super) fn candidates(&self, leaf: &Leaf, lanes: u32) -> Option<Candidates> {
+        let splat = f32x8::splat;
+        let z = self.axis as usize;
+        let x = if z == 2 { 0 } else { z + 1 };
+        let y = if z == 0 { 2 } else { z - 1 };
+        let pz = leaf.corners[z] - splat(self.origin[2]);
+        let px = pz.mul_neg_add(
+            splat(self.shear[0]),
+            leaf.corners[x] - splat(self.origin[0]),
+        );
+        let py = pz.mul_neg_add(
+            splat(self.shear[1]),
+            leaf.corners[y] - splat(self.origin[1]),
+        );
+        let [a, b, c] = [
+            lanes_of(&leaf.indices[0]),
+            lanes_of(&leaf.indices[1]),
+            lanes_of(&leaf.indices[2]),
+        ];
+        let at =
+            |row: f32x8, corner: u32x8| f32x8::from_bits(row.to_bits().shuffle_wrapping(corner));
+        let (ax, ay, bx, by, cx, cy) = (
+            at(px, a),
+            at(py, a),
+            at(px, b),
+            at(py, b),
+            at(px, c),
+            at(py, c),
+        );
+        let u = cx.mul_sub(by, cy * bx);
+        let v = ax.mul_sub(cy, ay * cx);
+        let w = bx.mul_sub(ay, by * ax);
+        let least = u.fast_min(v).fast_min(w);
+        let most = u.fast_max(v).fast_max(w);
+        let margin = self.edge_margin() * (leaf.size + self.slack());
+        let possible =
+            (least.simd_ge(splat(-margin)) | most.simd_le(splat(margin))).to_bitmask() & lanes;
+        if possible == 0 {
+            return None;
+        }
+        let certain = (least.simd_gt(splat(margin)) | most.simd_lt(splat(-margin))).to_bitmask();
+        let reciprocal = f32x8::ONE / (u + v + w);
+        let s = (u * at(pz, a) + v * at(pz, b) + w * at(pz, c)) * (reciprocal * splat(self.sign));
+        let error =
+            reciprocal.abs() * splat(3.0 * margin * leaf.size) + splat(self.distance_error());
+        Some(Candidates {
+            possible,
+            certain,
+            low: s - error,
+            high: s + error,
+        })
+    }
+}

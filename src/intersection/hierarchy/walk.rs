@@ -1,0 +1,84 @@
+//! A ray on its way down the tree.
+
+use super::confirm::Confirmed;
+use super::node::{Child, Node};
+use super::order::in_order;
+use super::prepared::Prepared;
+use super::stack::Stack;
+
+/// The place of a triangle in the tree: its leaf, and its lane there.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Place {
+    pub(super) leaf: u32,
+    pub(super) lane: u32,
+}
+
+impl Place {
+    /// Of no triangle.
+    pub(super) const NONE: Self = Self {
+        leaf: u32::MAX,
+        lane: 0,
+    };
+}
+
+/// A ray on its way, and the nearest triangle so far.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Walk {
+    pub(super) ray: Prepared,
+    /// Between which bounds the nearest triangle's s is; at first those of the end of the ray's interval.
+    pub(super) low: f32,
+    pub(super) high: f32,
+    /// Where it is.
+    pub(super) place: Place,
+    /// Where the ray is, or [`Child::END`].
+    pub(super) current: Child,
+    /// How many boxes wait.
+    top: u32,
+    /// The nearest triangle, where it took a decision in `f64` to be sure.
+    pub(super) confirmed: Option<Confirmed>,
+}
+
+impl Walk {
+    #[inline(always)]
+    pub(super) fn new(ray: Prepared) -> Self {
+        Self {
+            ray,
+            low: ray.end[0],
+            high: ray.end[1],
+            place: Place::NONE,
+            current: Child::ROOT,
+            top: 1,
+            confirmed: None,
+        }
+    }
+
+    /// Goes on to the next box that waits and is not behind the nearest hit.
+    #[inline(always)]
+    pub(super) fn pop(&mut self, stack: &Stack) {
+        let mut top = self.top as usize;
+        loop {
+            top -= 1;
+            let (distance, child) = stack.at(top);
+            if distance <= self.high {
+                self.top = top as u32;
+                self.current = child;
+                return;
+            }
+        }
+    }
+
+    /// Visits a node: its children that are met wait, and the walk goes on to the first of all that wait.
+    #[inline(always)]
+    pub(super) fn visit(&mut self, node: &Node, stack: &mut Stack) {
+        let (entries, exits) = self.ray.slabs(&node.planes, self.high);
+        let hits = entries.simd_le(exits).to_bitmask() & node.taken;
+        let order = in_order(self.ray.octant, hits);
+        stack.write(
+            self.top as usize,
+            entries.to_bits().shuffle_wrapping(order),
+            node.children.shuffle_wrapping(order),
+        );
+        self.top += hits.count_ones();
+        self.pop(stack);
+    }
+}
