@@ -13,8 +13,10 @@
 //! products, a subtraction and two additions, and one more difference for a − o: 8 roundings, 6 · 8u, and [`PLANE_ERROR`] = 49u.
 
 use std::cmp::Ordering;
+use std::ops::{Add, Div, Mul, Sub};
 
-use glam::{DVec3, Vec3};
+use glam::Vec3;
+use wide::f64x8;
 
 use super::exact::{Ratio, Volumes};
 use crate::intersection::{FacetHit, Side};
@@ -31,7 +33,7 @@ const PLANE_ERROR: f64 = 49.0 * U;
 
 /// The largest relative error of t, and the largest absolute error of a weight, that the filter lets pass: a quarter of the bits of `f32` below
 /// its last place.
-const LARGEST_ERROR: f64 = 1.0 / (1_u64 << 34) as f64;
+pub(super) const LARGEST_ERROR: f64 = 1.0 / (1_u64 << 34) as f64;
 
 /// A ray ready for the filter: finite, with a direction, and an interval of finite ends.
 #[derive(Clone, Copy, Debug)]
@@ -152,56 +154,185 @@ enum Filtered {
     Undecided,
 }
 
+/// A number, or eight of them: the filter is written once, and gives the same bits for one ray and for eight.
+pub(super) trait Lanes:
+    Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self>
+{
+    fn of(value: f64) -> Self;
+    fn absolute(self) -> Self;
+    fn smaller(self, other: Self) -> Self;
+    fn larger(self, other: Self) -> Self;
+}
+
+impl Lanes for f64 {
+    #[inline(always)]
+    fn of(value: f64) -> Self {
+        value
+    }
+
+    #[inline(always)]
+    fn absolute(self) -> Self {
+        self.abs()
+    }
+
+    #[inline(always)]
+    fn smaller(self, other: Self) -> Self {
+        if self < other { self } else { other }
+    }
+
+    #[inline(always)]
+    fn larger(self, other: Self) -> Self {
+        if self > other { self } else { other }
+    }
+}
+
+impl Lanes for f64x8 {
+    #[inline(always)]
+    fn of(value: f64) -> Self {
+        Self::splat(value)
+    }
+
+    #[inline(always)]
+    fn absolute(self) -> Self {
+        self.abs()
+    }
+
+    #[inline(always)]
+    fn smaller(self, other: Self) -> Self {
+        self.fast_min(other)
+    }
+
+    #[inline(always)]
+    fn larger(self, other: Self) -> Self {
+        self.fast_max(other)
+    }
+}
+
+/// What the filter computes, and bounds on the errors.
+pub(super) struct Estimate<F> {
+    /// The least and the largest of the three edges' volumes, and a bound on their errors.
+    pub(super) least: F,
+    pub(super) most: F,
+    pub(super) edge_error: F,
+    pub(super) determinant: F,
+    /// The relative error of the determinant.
+    pub(super) determinant_error: F,
+    pub(super) t: F,
+    pub(super) t_error: F,
+    pub(super) weights: [F; 2],
+    pub(super) weight_error: F,
+}
+
+impl<F: Lanes> Estimate<F> {
+    /// Of the line `o + t d` and the triangle `a b c`.
+    #[inline(always)]
+    pub(super) fn new(o: [F; 3], d: [F; 3], [first, second, third]: [[F; 3]; 3]) -> Self {
+        let [a, b, c] = [minus(first, o), minus(second, o), minus(third, o)];
+        let [ab, bc, ca] = [
+            minus(second, first),
+            minus(third, second),
+            minus(first, third),
+        ];
+        let speed = largest(d);
+        let reach = largest(a).larger(largest(b)).larger(largest(c));
+        let size = largest(ab).larger(largest(bc)).larger(largest(ca));
+        let edges = [
+            dot(cross(d, b), bc),
+            dot(cross(d, c), ca),
+            dot(cross(d, a), ab),
+        ];
+        let normal = cross(ca, ab);
+        let (determinant, distance) = (dot(d, normal), dot(a, normal));
+        let reciprocal = F::of(1.0) / determinant;
+        let t = distance * reciprocal;
+        // All errors in multiples of the determinant, and twice that: the determinant may be half of what was computed.
+        let unit = F::of(2.0) * size * reciprocal.absolute();
+        let determinant_error = F::of(PLANE_ERROR) * speed * size * unit;
+        let edge_error = F::of(EDGE_ERROR) * speed * reach;
+        Self {
+            least: edges[0].smaller(edges[1]).smaller(edges[2]),
+            most: edges[0].larger(edges[1]).larger(edges[2]),
+            edge_error: edge_error * size,
+            determinant,
+            determinant_error,
+            t,
+            t_error: F::of(PLANE_ERROR) * reach * size * unit
+                + (determinant_error + F::of(4.0 * U)) * t.absolute(),
+            weights: [edges[1] * reciprocal, edges[2] * reciprocal],
+            weight_error: edge_error * unit + determinant_error + F::of(4.0 * U),
+        }
+    }
+}
+
+#[inline(always)]
+fn minus<F: Lanes>(p: [F; 3], q: [F; 3]) -> [F; 3] {
+    [p[0] - q[0], p[1] - q[1], p[2] - q[2]]
+}
+
+#[inline(always)]
+fn dot<F: Lanes>(p: [F; 3], q: [F; 3]) -> F {
+    p[0] * q[0] + p[1] * q[1] + p[2] * q[2]
+}
+
+#[inline(always)]
+#[rustfmt::skip]
+fn cross<F: Lanes>(p: [F; 3], q: [F; 3]) -> [F; 3] {
+    [
+        p[1] * q[2] - p[2] * q[1],
+        p[2] * q[0] - p[0] * q[2],
+        p[0] * q[1] - p[1] * q[0],
+    ]
+}
+
+#[inline(always)]
+fn largest<F: Lanes>(p: [F; 3]) -> F {
+    p[0].absolute()
+        .larger(p[1].absolute())
+        .larger(p[2].absolute())
+}
+
 #[inline]
 fn filter(line: &Line, corners: [Vec3; 3]) -> Filtered {
-    let (o, d) = (line.origin.as_dvec3(), line.direction.as_dvec3());
-    let [first, second, third] = corners.map(|corner| corner.as_dvec3());
-    let [a, b, c] = [first - o, second - o, third - o];
-    let [ab, bc, ca] = [second - first, third - second, first - third];
-    let largest = |p: DVec3| p.abs().max_element();
-    let speed = largest(d);
-    let reach = largest(a.abs().max(b.abs()).max(c.abs()));
-    let size = largest(ab.abs().max(bc.abs()).max(ca.abs()));
-    let edge_error = EDGE_ERROR * speed * reach * size;
-    let edges = [d.cross(b).dot(bc), d.cross(c).dot(ca), d.cross(a).dot(ab)];
-    let least = edges[0].min(edges[1]).min(edges[2]);
-    let most = edges[0].max(edges[1]).max(edges[2]);
-    if least < -edge_error && most > edge_error {
+    let wide = |p: Vec3| p.as_dvec3().to_array();
+    let [a, b, c] = corners;
+    let of = Estimate::<f64>::new(
+        wide(line.origin),
+        wide(line.direction),
+        [wide(a), wide(b), wide(c)],
+    );
+    if of.least < -of.edge_error && of.most > of.edge_error {
         return Filtered::Miss;
     }
-    let normal = ca.cross(ab);
-    let (determinant, distance) = (d.dot(normal), a.dot(normal));
-    let reciprocal = determinant.recip();
-    let t = distance * reciprocal;
-    // All errors in multiples of the determinant: that of the determinant itself, halved where it is below, is doubled for it.
-    let unit = 2.0 * size * reciprocal.abs();
-    let determinant_error = PLANE_ERROR * speed * size * unit;
-    let t_error = PLANE_ERROR * reach * size * unit + (determinant_error + 4.0 * U) * t.abs();
-    let is_bounded = determinant_error < 0.5;
+    let is_bounded = of.determinant_error < 0.5;
     let (start, end) = (f64::from(line.start), f64::from(line.end));
-    if is_bounded && (t + t_error <= start || t - t_error > end) {
+    if is_bounded && (of.t + of.t_error <= start || of.t - of.t_error > end) {
         return Filtered::Miss;
     }
-    let is_inside = least > edge_error || most < -edge_error;
-    let weight_error = EDGE_ERROR * speed * reach * unit + determinant_error + 4.0 * U;
+    let is_inside = of.least > of.edge_error || of.most < -of.edge_error;
     let is_sure = is_inside
         && is_bounded
-        && t_error <= LARGEST_ERROR * t.abs()
-        && weight_error <= LARGEST_ERROR
-        && t - t_error > start
-        && t + t_error <= end;
+        && of.t_error <= LARGEST_ERROR * of.t.abs()
+        && of.weight_error <= LARGEST_ERROR
+        && of.t - of.t_error > start
+        && of.t + of.t_error <= end;
     if !is_sure {
         return Filtered::Undecided;
     }
     Filtered::Hit {
-        t,
-        t_error,
-        weights: [edges[1] * reciprocal, edges[2] * reciprocal],
-        side: if determinant < 0.0 {
-            Side::Front
-        } else {
-            Side::Back
-        },
+        t: of.t,
+        t_error: of.t_error,
+        weights: of.weights,
+        side: side(of.determinant),
+    }
+}
+
+/// The side that is hit, by the sign of the determinant `d · n`.
+#[inline(always)]
+pub(super) fn side(determinant: f64) -> Side {
+    if determinant < 0.0 {
+        Side::Front
+    } else {
+        Side::Back
     }
 }
 

@@ -24,6 +24,7 @@ mod careful;
 mod collapse;
 mod confirm;
 mod exact;
+mod finish;
 mod hit_point;
 mod layout;
 mod leaf_test;
@@ -41,6 +42,7 @@ use thiserror::Error;
 
 use self::build::{BinaryNode, Builder, Primitive};
 use self::confirm::{Confirmed, Line, confirm};
+use self::finish::Arrived;
 use self::node::Tree;
 use self::prepared::{Group, Scene};
 use self::stack::Stack;
@@ -294,7 +296,14 @@ impl Query<'_> {
         if self.hierarchy.triangles.is_empty() {
             found.fill(None);
         } else {
-            self.walkers.walk(self.hierarchy, rays, &mut Nearest(found));
+            self.walkers.walk(
+                self.hierarchy,
+                rays,
+                &mut Nearest {
+                    answers: found,
+                    arrived: Arrived::new(),
+                },
+            );
         }
     }
 
@@ -305,7 +314,8 @@ impl Query<'_> {
         if self.hierarchy.triangles.is_empty() {
             hit.fill(false);
         } else {
-            self.walkers.walk(self.hierarchy, rays, &mut Any(hit));
+            self.walkers
+                .walk(self.hierarchy, rays, &mut Any { answers: hit });
         }
     }
 }

@@ -106,13 +106,18 @@ pub(super) struct Leaf {
 
 impl Leaf {
     /// The corners of the triangle in this lane.
-    #[inline]
+    #[inline(always)]
     pub(super) fn triangle(&self, lane: usize) -> [Vec3; 3] {
-        let [x, y, z] = self.corners.map(|row| row.to_array());
-        [0, 1, 2].map(|corner| {
-            let index = self.indices[corner][lane] as usize & (WIDTH - 1);
+        let [x, y, z] = [
+            self.corners[0].as_array(),
+            self.corners[1].as_array(),
+            self.corners[2].as_array(),
+        ];
+        let at = |corner: usize| {
+            let index = self.indices[corner][lane % WIDTH] as usize % WIDTH;
             Vec3::new(x[index], y[index], z[index])
-        })
+        };
+        [at(0), at(1), at(2)]
     }
 }
 

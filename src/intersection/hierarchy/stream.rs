@@ -7,6 +7,7 @@
 use glam::Vec3;
 
 use super::confirm::Line;
+use super::finish::Arrived;
 use super::node::Child;
 use super::prepared::{GROUP, Group, Prepared};
 use super::stack::Stack;
@@ -63,37 +64,71 @@ pub(super) trait Question {
     /// Whether any hit will do.
     const ANY: bool;
 
-    fn answer(&mut self, index: usize, found: Option<Found>);
+    /// The ray with this number meets nothing.
+    fn miss(&mut self, index: usize);
 
-    fn answer_any(&mut self, index: usize, hit: bool);
+    /// It meets the triangle in a place first, or any triangle.
+    fn hit(&mut self, hierarchy: &Hierarchy, rays: &[Ray<Vec3>], index: usize, place: Place);
+
+    /// It has been answered already.
+    fn found(&mut self, index: usize, found: Option<Found>);
+
+    /// All rays have arrived.
+    fn finish(&mut self, hierarchy: &Hierarchy, rays: &[Ray<Vec3>]);
 }
 
-pub(super) struct Nearest<'a>(pub(super) &'a mut [Option<Found>]);
+/// Which triangle is met first?
+pub(super) struct Nearest<'a> {
+    pub(super) answers: &'a mut [Option<Found>],
+    pub(super) arrived: Arrived,
+}
 
 impl Question for Nearest<'_> {
     const ANY: bool = false;
 
     #[inline(always)]
-    fn answer(&mut self, index: usize, found: Option<Found>) {
-        self.0[index] = found;
+    fn miss(&mut self, index: usize) {
+        self.answers[index] = None;
     }
 
-    fn answer_any(&mut self, _: usize, _: bool) {}
+    #[inline(always)]
+    fn hit(&mut self, hierarchy: &Hierarchy, rays: &[Ray<Vec3>], index: usize, place: Place) {
+        self.arrived
+            .add(hierarchy, rays, index, place, self.answers);
+    }
+
+    fn found(&mut self, index: usize, found: Option<Found>) {
+        self.answers[index] = found;
+    }
+
+    fn finish(&mut self, hierarchy: &Hierarchy, rays: &[Ray<Vec3>]) {
+        self.arrived.answer(hierarchy, rays, self.answers);
+    }
 }
 
-pub(super) struct Any<'a>(pub(super) &'a mut [bool]);
+/// Is any met?
+pub(super) struct Any<'a> {
+    pub(super) answers: &'a mut [bool],
+}
 
 impl Question for Any<'_> {
     const ANY: bool = true;
 
-    fn answer(&mut self, index: usize, found: Option<Found>) {
-        self.0[index] = found.is_some();
+    #[inline(always)]
+    fn miss(&mut self, index: usize) {
+        self.answers[index] = false;
     }
 
     #[inline(always)]
-    fn answer_any(&mut self, index: usize, hit: bool) {
-        self.0[index] = hit;
+    fn hit(&mut self, _: &Hierarchy, _: &[Ray<Vec3>], index: usize, _: Place) {
+        self.answers[index] = true;
     }
+
+    fn found(&mut self, index: usize, found: Option<Found>) {
+        self.answers[index] = found.is_some();
+    }
+
+    fn finish(&mut self, _: &Hierarchy, _: &[Ray<Vec3>]) {}
 }
 
 impl Walkers {
@@ -149,27 +184,25 @@ impl Walkers {
                 for place in 0..at_leaves.count {
                     let number = at_leaves.get(place);
                     let Walker { walk, stack, index } = &mut walks[number];
+                    let mut is_hit = false;
                     if walk.current != Child::END {
                         if !Q::ANY {
                             hierarchy.visit_leaf(&rays[*index], walk, stack);
-                        } else if hierarchy.visit_leaf_for_any(&rays[*index], walk, stack) {
-                            question.answer_any(*index, true);
-                            walk.current = Child::END;
-                            walk.place.leaf = 0;
-                        }
-                    } else {
-                        if Q::ANY {
-                            if walk.place == Place::NONE {
-                                question.answer_any(*index, false);
-                            }
                         } else {
-                            let hit = hierarchy.outcome(&rays[*index], walk);
-                            question.answer(*index, hit.as_ref().map(found));
+                            is_hit = hierarchy.visit_leaf_for_any(&rays[*index], walk, stack);
+                        }
+                    }
+                    if is_hit || walk.current == Child::END {
+                        if is_hit || walk.place != Place::NONE {
+                            question.hit(hierarchy, rays, *index, walk.place);
+                        } else {
+                            question.miss(*index);
                         }
                         let Some((next, ray)) = queue.next(question) else {
                             continue;
                         };
-                        (*index, *walk) = (next, Walk::new(ray));
+                        *index = next;
+                        *walk = Walk::new(ray);
                     }
                     still_at_nodes.push_if(number, !walk.current.is_leaf());
                     still_at_leaves.push_if(number, walk.current.is_leaf());
@@ -178,6 +211,7 @@ impl Walkers {
             }
             at_nodes = still_at_nodes;
         }
+        question.finish(hierarchy, rays);
     }
 }
 
@@ -202,7 +236,7 @@ impl Queue<'_> {
             if self.group.ordinary >> lane & 1 == 1 {
                 return Some((index, self.group.rays[lane]));
             }
-            question.answer(index, self.carefully(index, Q::ANY));
+            question.found(index, self.carefully(index, Q::ANY));
         }
         None
     }

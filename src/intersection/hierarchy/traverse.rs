@@ -24,7 +24,7 @@ impl Hierarchy {
         (triangle, self.triangles[triangle as usize])
     }
 
-    fn confirmed(&self, line: &Ray<Vec3>, place: Place) -> Option<Confirmed> {
+    pub(super) fn confirmed(&self, line: &Ray<Vec3>, place: Place) -> Option<Confirmed> {
         let (triangle, corners) = self.triangle_at(place);
         confirm(&Line::of(line), triangle, corners)
     }
@@ -58,7 +58,7 @@ impl Hierarchy {
         if walk.place == Place::NONE {
             return None;
         }
-        walk.confirmed.or_else(|| self.confirmed(line, walk.place))
+        self.confirmed(line, walk.place)
     }
 
     #[inline(always)]
@@ -91,7 +91,7 @@ impl Hierarchy {
                 continue;
             }
             if is_certain && high < walk.low && low > walk.ray.start[1] {
-                (walk.low, walk.high, walk.place, walk.confirmed) = (low, high, place, None);
+                (walk.low, walk.high, walk.place) = (low, high, place);
                 continue;
             }
             self.settle(line, place, walk);
@@ -105,10 +105,8 @@ impl Hierarchy {
         let Some(hit) = self.confirmed(line, place) else {
             return;
         };
-        if walk.confirmed.is_none() && walk.place != Place::NONE {
-            walk.confirmed = self.confirmed(line, walk.place);
-        }
-        if let Some(other) = walk.confirmed
+        if walk.place != Place::NONE
+            && let Some(other) = self.confirmed(line, walk.place)
             && !hit.is_before(&other, &Line::of(line), &self.triangles)
         {
             return;
@@ -119,7 +117,6 @@ impl Hierarchy {
         walk.low = low.next_down().min(walk.low);
         walk.high = high.next_up().min(walk.high);
         walk.place = place;
-        walk.confirmed = Some(hit);
     }
 
     /// Whether anything is hit.

@@ -1,6 +1,5 @@
 //! A ray on its way down the tree.
 
-use super::confirm::Confirmed;
 use super::node::{Child, Node};
 use super::order::in_order;
 use super::prepared::Prepared;
@@ -34,8 +33,6 @@ pub(super) struct Walk {
     pub(super) current: Child,
     /// How many boxes wait.
     top: u32,
-    /// The nearest triangle, where it took a decision in `f64` to be sure.
-    pub(super) confirmed: Option<Confirmed>,
 }
 
 impl Walk {
@@ -48,7 +45,6 @@ impl Walk {
             place: Place::NONE,
             current: Child::ROOT,
             top: 1,
-            confirmed: None,
         }
     }
 
