@@ -77,8 +77,6 @@ impl Primitive {
 pub(super) struct BinaryNode {
     /// `[low, high]`.
     bounds: [[f32; 3]; 2],
-    /// How many triangles are below.
-    pub(super) count: u32,
     /// How many of them are in the left child.
     pub(super) left: u32,
     /// How the subtree becomes children of a wide node.
@@ -88,7 +86,6 @@ pub(super) struct BinaryNode {
 impl BinaryNode {
     pub(super) const NONE: Self = Self {
         bounds: [[0.0; 3]; 2],
-        count: 0,
         left: 0,
         choices: Choices::NONE,
     };
@@ -123,7 +120,7 @@ impl Builder<'_> {
             );
         }
         let count = primitives.len();
-        let left = self.split(primitives, depth);
+        let left = split(primitives, depth);
         let (left_primitives, right_primitives) = primitives.split_at_mut(left);
         let (node, rest) = nodes
             .split_first_mut()
@@ -139,37 +136,36 @@ impl Builder<'_> {
         let (subtree, choices) = Costs::join(&first, &second, count);
         *node = BinaryNode {
             bounds: [subtree.bounds.low().into(), subtree.bounds.high().into()],
-            count: number(count),
             left: number(left),
             choices,
         };
         subtree
     }
+}
 
-    /// Reorders the primitives so that the first ones belong to the left child, and says how many: at least one, and not all.
-    fn split(&self, primitives: &mut [Primitive], depth: u32) -> usize {
-        let count = primitives.len();
-        if count == 2 {
-            return 1;
-        }
-        let centres = primitives.iter().map(Primitive::centre);
-        let (low, high) = centres.fold(
-            (Vec3::INFINITY, Vec3::NEG_INFINITY),
-            |(low, high), centre| (low.min(centre), high.max(centre)),
-        );
-        let extent = high - low;
-        if depth >= DEEPEST_BY_COST || extent == Vec3::ZERO {
-            return halves(primitives, extent.max_position());
-        }
-        if count <= SORTED {
-            return sorted(primitives, extent.max_position());
-        }
-        let bins = Bins::new(primitives, low, extent);
-        let Some((axis, bin)) = bins.best_cut() else {
-            return halves(primitives, extent.max_position());
-        };
-        partition(primitives, |primitive| bins.bin(primitive)[axis] < bin)
+/// Reorders the primitives so that the first ones belong to the left child, and says how many: at least one, and not all.
+fn split(primitives: &mut [Primitive], depth: u32) -> usize {
+    let count = primitives.len();
+    if count == 2 {
+        return 1;
     }
+    let centres = primitives.iter().map(Primitive::centre);
+    let (low, high) = centres.fold(
+        (Vec3::INFINITY, Vec3::NEG_INFINITY),
+        |(low, high), centre| (low.min(centre), high.max(centre)),
+    );
+    let extent = high - low;
+    if depth >= DEEPEST_BY_COST || extent == Vec3::ZERO {
+        return halves(primitives, extent.max_position());
+    }
+    if count <= SORTED {
+        return sorted(primitives, extent.max_position());
+    }
+    let bins = Bins::new(primitives, low, extent);
+    let Some((axis, bin)) = bins.best_cut() else {
+        return halves(primitives, extent.max_position());
+    };
+    partition(primitives, |primitive| bins.bin(primitive)[axis] < bin)
 }
 
 /// Cuts by number at the median along an axis.

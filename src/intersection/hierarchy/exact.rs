@@ -332,11 +332,7 @@ impl Volumes {
 /// The coordinates as multiples of one power of two, and its exponent over 2⁻¹⁴⁹; `None` where that takes more than 40 bits.
 fn whole_numbers<const N: usize>(points: [Vec3; N]) -> Option<([[i64; 3]; N], u32)> {
     let (mut least, mut most) = (u32::MAX, 0);
-    for coordinate in points
-        .iter()
-        .flat_map(|point| point.to_array())
-        .filter(|&x| x != 0.0)
-    {
+    for coordinate in points.iter().flat_map(Vec3::to_array).filter(|&x| x != 0.0) {
         let shift = decomposed(coordinate).1;
         (least, most) = (least.min(shift), most.max(shift));
     }

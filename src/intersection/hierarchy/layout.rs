@@ -41,7 +41,7 @@ struct Range<'a> {
     nodes: &'a [BinaryNode],
 }
 
-impl<'a> Range<'a> {
+impl Range<'_> {
     fn children(self) -> [Self; 2] {
         let left = self.nodes[0].left as usize;
         let (first, second) = self.primitives.split_at(left);

@@ -18,6 +18,11 @@
 //!
 //! *In the book*: [A hierarchy of boxes](../../../../intersection/hierarchy.html).
 
+#![allow(
+    clippy::inline_always,
+    reason = "the inner loops of a ray: left to itself the compiler calls functions there, and keeps vectors in memory"
+)]
+
 mod bounds;
 mod build;
 mod careful;
@@ -137,18 +142,18 @@ impl Hierarchy {
             largest.max(corner.abs().max_element())
         });
         let scale = scale(largest);
-        let tree = if scale == 1.0 {
-            build_tree(&triangles, false)
-        } else {
+        let scene = Scene {
+            scale,
+            largest: largest * scale,
+        };
+        let tree = if scene.is_scaled() {
             let scaled: Vec<_> = triangles
                 .iter()
                 .map(|corners| corners.map(|corner| corner * scale))
                 .collect();
             build_tree(&scaled, true)
-        };
-        let scene = Scene {
-            scale,
-            largest: largest * scale,
+        } else {
+            build_tree(&triangles, false)
         };
         Ok(Self {
             triangles,
@@ -193,7 +198,7 @@ impl Hierarchy {
     pub fn hit(&self, ray: &Ray<Vec3>, found: &Found) -> Option<Hit<Vec3>> {
         let corners = *self.triangles.get(found.triangle as usize)?;
         let confirmed = confirm(&Line::new(ray)?, found.triangle, corners)?;
-        Some(confirmed.hit(corners))
+        confirmed.hit(corners)
     }
 
     /// A query, which keeps its stack from ray to ray: make one for each thread.

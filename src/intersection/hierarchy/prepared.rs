@@ -91,6 +91,18 @@ pub(super) struct Scene {
     pub(super) largest: f32,
 }
 
+impl Scene {
+    /// Whether the tree holds other coordinates than were given.
+    #[allow(
+        clippy::float_cmp,
+        reason = "the power of two 1 and no other number changes nothing"
+    )]
+    #[inline]
+    pub(super) fn is_scaled(self) -> bool {
+        self.scale != 1.0
+    }
+}
+
 /// Some rays, prepared.
 #[derive(Clone, Debug)]
 pub(super) struct Group {

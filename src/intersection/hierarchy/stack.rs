@@ -2,16 +2,24 @@
 
 use wide::u32x8;
 
+use super::Hierarchy;
+use super::build::DEEPEST_BY_COST;
 use super::node::Child;
 
-/// More than the tree is deep, times the children that wait at each level, and eight more.
+/// More than can wait: seven children at each level, and the eight that are written at once.
 const SIZE: usize = 1024;
+
+/// A tree is cut by cost to this depth, then into halves of at most `2^28` triangles; a level more for a root of a few.
+const DEEPEST: usize = DEEPEST_BY_COST as usize + Hierarchy::MOST_TRIANGLES.ilog2() as usize + 1;
+
+const _: () = assert!(DEEPEST * 7 + 8 <= SIZE, "the stack holds what may wait");
 
 /// Boxes that are still to be visited: where the ray enters each, as the bits of a number that is not negative, and which it is.
 #[derive(Clone, Debug)]
 pub(super) struct Stack {
     distances: [u32; SIZE],
     /// Keeps the two apart by other than a power of two, so that their places do not share a set of the cache.
+    #[allow(dead_code, reason = "it is there to take space")]
     apart: [u32; 48],
     children: [u32; SIZE],
 }

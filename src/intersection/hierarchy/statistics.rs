@@ -13,9 +13,6 @@ pub(super) trait Observer {
 
     /// A leaf is visited: so many triangles are tested.
     fn leaf(&mut self, _triangles: u32) {}
-
-    /// A triangle is decided in `f64` or exactly.
-    fn confirmation(&mut self) {}
 }
 
 impl Observer for () {}
@@ -29,8 +26,6 @@ pub struct Visits {
     pub leaves: u32,
     /// Triangles in those leaves.
     pub triangles: u32,
-    /// Triangles that were decided in `f64` or exactly.
-    pub confirmations: u32,
 }
 
 impl Observer for Visits {
@@ -41,10 +36,6 @@ impl Observer for Visits {
     fn leaf(&mut self, triangles: u32) {
         self.leaves += 1;
         self.triangles += triangles;
-    }
-
-    fn confirmation(&mut self) {
-        self.confirmations += 1;
     }
 }
 
@@ -66,15 +57,18 @@ pub struct Shape {
 }
 
 impl Query<'_> {
-    /// What [`nearest`](Query::nearest) visits for this ray; nothing for one that leaves the fast walk's range.
-    pub fn visits(&mut self, ray: &Ray<Vec3>) -> Visits {
+    /// What [`nearest`](Query::nearest) visits for this ray; `None` for one whose numbers leave the fast walk's range.
+    pub fn visits(&mut self, ray: &Ray<Vec3>) -> Option<Visits> {
         let mut visits = Visits::default();
         let hierarchy = self.hierarchy;
         self.group.fill(std::slice::from_ref(ray), hierarchy.scene);
-        if !hierarchy.triangles.is_empty() && self.group.ordinary == 1 {
+        if self.group.ordinary != 1 {
+            return None;
+        }
+        if !hierarchy.triangles.is_empty() {
             hierarchy.nearest(ray, &self.group.rays[0], &mut self.stack, &mut visits);
         }
-        visits
+        Some(visits)
     }
 }
 

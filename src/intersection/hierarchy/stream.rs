@@ -48,6 +48,10 @@ impl List {
 
     /// Adds a walker if it belongs here; it is written in either case, so that there is no branch.
     #[inline(always)]
+    #[allow(
+        clippy::cast_possible_truncation,
+        reason = "there are fewer walkers than 256"
+    )]
     fn push_if(&mut self, walker: usize, belongs: bool) {
         self.walkers[self.count % (2 * AT_ONCE)] = walker as u8;
         self.count += usize::from(belongs);
@@ -186,10 +190,10 @@ impl Walkers {
                     let Walker { walk, stack, index } = &mut walks[number];
                     let mut is_hit = false;
                     if walk.current != Child::END {
-                        if !Q::ANY {
-                            hierarchy.visit_leaf(&rays[*index], walk, stack);
-                        } else {
+                        if Q::ANY {
                             is_hit = hierarchy.visit_leaf_for_any(&rays[*index], walk, stack);
+                        } else {
+                            hierarchy.visit_leaf(&rays[*index], walk, stack);
                         }
                     }
                     if is_hit || walk.current == Child::END {

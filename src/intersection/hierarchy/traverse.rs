@@ -5,7 +5,7 @@ use glam::Vec3;
 use super::Hierarchy;
 use super::confirm::{Confirmed, Line, confirm};
 use super::leaf_test::Candidates;
-use super::node::Child;
+use super::node::{Child, number};
 use super::prepared::Prepared;
 use super::stack::Stack;
 use super::statistics::Observer;
@@ -18,7 +18,7 @@ impl Hierarchy {
     pub(super) fn triangle_at(&self, place: Place) -> (u32, [Vec3; 3]) {
         let leaf = &self.tree.leaves[place.leaf as usize];
         let triangle = self.tree.order[(leaf.first + place.lane) as usize];
-        if self.scene.scale == 1.0 {
+        if !self.scene.is_scaled() {
             return (triangle, leaf.triangle(place.lane as usize));
         }
         (triangle, self.triangles[triangle as usize])
@@ -76,7 +76,7 @@ impl Hierarchy {
     /// Takes the nearest of a leaf's candidates, if it is nearer than the nearest so far.
     #[inline(always)]
     fn take(&self, line: &Ray<Vec3>, leaf: Child, candidates: &Candidates, walk: &mut Walk) {
-        let leaf = leaf.index() as u32;
+        let leaf = number(leaf.index());
         let mut lanes = candidates.possible;
         while lanes != 0 {
             let lane = lanes.trailing_zeros();
@@ -158,7 +158,7 @@ impl Hierarchy {
 
     #[inline(always)]
     fn is_any_hit(&self, line: &Ray<Vec3>, walk: &Walk, candidates: &Candidates) -> bool {
-        let leaf = walk.current.index() as u32;
+        let leaf = number(walk.current.index());
         let mut lanes = candidates.possible;
         while lanes != 0 {
             let lane = lanes.trailing_zeros();

@@ -1,6 +1,6 @@
 //! A ray on its way down the tree.
 
-use super::node::{Child, Node};
+use super::node::{Child, Node, number};
 use super::order::in_order;
 use super::prepared::Prepared;
 use super::stack::Stack;
@@ -56,7 +56,7 @@ impl Walk {
             top -= 1;
             let (distance, child) = stack.at(top);
             if distance <= self.high {
-                self.top = top as u32;
+                self.top = number(top);
                 self.current = child;
                 return;
             }
