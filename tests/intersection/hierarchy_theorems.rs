@@ -29,7 +29,7 @@ fn the_first_hit_is_the_exact_one() {
         let triangles: Vec<_> = (0..20)
             .map(|_| [vector(3), vector(3), vector(3)].map(|p| p * scale))
             .collect();
-        let hierarchy = Hierarchy::new(&triangles).unwrap();
+        let hierarchy = Hierarchy::new(&triangles).expect("finite corners");
         let mut query = hierarchy.query();
         for _ in 0..30 {
             let mut ray = Ray::new(vector(4) * scale, vector(3));

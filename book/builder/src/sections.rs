@@ -107,7 +107,10 @@ pub fn speed(
             let beginning = beginning.unwrap_or_default();
             table.rows.retain(|row| row[0].starts_with(beginning));
             if table.rows.is_empty() {
-                let message = format!("no quantity of {file:?} begins with `{beginning}`");
+                let message = format!(
+                    "no quantity of {} begins with `{beginning}`",
+                    file.display()
+                );
                 expander.problems.add(place.file, place.first_line, message);
                 return None;
             }

@@ -7,6 +7,10 @@ use facette::camera::{
 use facette_figure::plot::Plot;
 use facette_figure::{Content, Figure, speed};
 
+#[allow(
+    clippy::duplicate_mod,
+    reason = "the tests of the camera have it beside the figures"
+)]
 #[path = "../../../tests/camera/variants.rs"]
 mod variants;
 

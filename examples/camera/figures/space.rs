@@ -28,6 +28,10 @@ fn corners(frame: &CameraFrame<DVec3>, rectangle: &ImageRectangle<f64>, depth: f
 }
 
 /// The eye, its three axes, the image rectangle and one ray.
+#[allow(
+    clippy::too_many_lines,
+    reason = "most of them list the labels and their places"
+)]
 pub fn frame_and_rectangle() -> Figure {
     let view = looking(at(-11.0, 9.5, 6.5), at(0.0, 1.75, 0.85));
     let frame = looking(at(0.0, 4.2, 1.2), at(0.0, 0.0, 0.6));

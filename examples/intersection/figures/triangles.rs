@@ -220,11 +220,7 @@ fn along_the_ray(corners: [[f64; 3]; 3]) -> Drawing {
 pub fn fan() -> Figure {
     let hub = [375.0, 185.0];
     let rim = [15.0, 68.0, 118.0, 172.0, 222.0, 274.0, 322.0].map(|degrees: f64| {
-        let radius = if degrees as i32 % 4 == 0 {
-            160.0
-        } else {
-            145.0
-        };
+        let radius = if degrees % 4.0 < 0.5 { 160.0 } else { 145.0 };
         let angle = degrees.to_radians();
         hub.plus([1.5 * radius * angle.cos(), -radius * angle.sin()])
     });
