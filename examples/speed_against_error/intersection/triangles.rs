@@ -14,7 +14,7 @@ use crate::harness::{Comparison, Effort, lazily};
 use triangle_floats::{ExactCrossing, FloatPlace, exactly};
 
 /// A test of a triangle that is kept as a `T`.
-type Test<T, S> = fn(&T, &Ray<[S; 3]>) -> Option<FacetHit<S>>;
+type StoredTest<T, S> = fn(&T, &Ray<[S; 3]>) -> Option<FacetHit<S>>;
 
 #[path = "../../../tests/intersection/triangle_floats.rs"]
 #[allow(dead_code, reason = "the tests use more of it than this report")]
@@ -133,7 +133,7 @@ impl Scene {
     fn stored<S: Real, T>(
         &self,
         store: fn(&[[S; 3]; 3]) -> Option<T>,
-        test: Test<T, S>,
+        test: StoredTest<T, S>,
     ) -> impl FnMut(&mut [Option<Answer>]) + use<S, T> {
         let triangles: Vec<Option<T>> = self.corners::<S>().iter().map(store).collect();
         let rays = self.rays::<S>();
