@@ -57,6 +57,11 @@ pub enum FanError {
 
 /// Triangles that share a corner, each sharing an edge with the next.
 ///
+/// # Edge cases
+///
+/// t comes from products of three lengths and of two lengths and the direction, and nothing is scaled: where those leave the range of normal
+/// numbers, hits are lost. A fan seen from some ten of its sizes may measure 2^±30 in `f32` and 2^±300 in `f64`, with a direction within the same bounds.
+///
 /// # Examples
 ///
 /// ```

@@ -19,6 +19,10 @@
 //! The quadratic equation is solved without cancellation, then one step of Newton's method on all three unknowns repairs what the
 //! coefficients lost. The bound on the error of t comes from the residual that is left.
 //!
+//! The coefficients are volumes, and the discriminant has the squares of volumes. So lengths, the direction and the coefficients are measured
+//! in powers of two near their own sizes: this rounds nothing, and the answer has the same digits at every size whose differences of
+//! points are normal numbers.
+//!
 //! # Sources
 //!
 //! S. D. Ramsey, K. Potter, C. Hansen, *Ray bilinear patch intersections*, 2004; A. Reshetov, *Cool patches: a geometric approach to
@@ -32,7 +36,7 @@ use num_traits::{One, Zero};
 
 use super::triangle::facet_hit;
 use super::{FacetHit, Hit, Intersect, IntersectionError, Side};
-use crate::algebra::{Real, Scalar, Vector3, larger, unit_vector};
+use crate::algebra::{Real, Scalar, Vector3, VectorSpace, larger, unit_vector};
 use crate::ray::Ray;
 use crate::surface::Surface;
 
@@ -47,7 +51,8 @@ use crate::surface::Surface;
 /// # Edge cases
 ///
 /// Not watertight: of two facets with a common edge, both may miss a ray within rounding of it. A planar facet may have any shape; where it
-/// overlaps itself, a point may have two pairs of parameters, of which one is given.
+/// overlaps itself, a point may have two pairs of parameters, of which one is given. Any size will do, as long as the differences of the corners, and those to the
+/// ray's origin, are normal numbers (hard case `quadrilateral_may_have_any_size`).
 ///
 /// # Examples
 ///
@@ -125,7 +130,7 @@ impl<P: Vector3<Scalar: Real>> Intersect for Quadrilateral<P> {
             t_error,
             point,
             point_error,
-            normal: unit_vector(s_u.cross(s_v))?,
+            normal: unit_vector(in_its_unit(s_u).cross(in_its_unit(s_v)))?,
             parameters: Some(facet.parameters),
             side: facet.side,
         })
@@ -185,12 +190,12 @@ where
         let is_inside = [u, v]
             .iter()
             .all(|&x| x >= P::Scalar::zero() && x <= P::Scalar::one());
-        let along = ray.direction.dot(patch.normal(u, v));
+        let along = patch.direction.dot(patch.normal(u, v));
         if !is_inside || along.is_zero() {
             return None;
         }
-        let hit = facet_hit(ray, t, [u, v], Side::of(along))?;
-        Some((hit, patch.error_of_t(place)))
+        let hit = facet_hit(ray, patch.in_rays_units(t), [u, v], Side::of(along))?;
+        Some((hit, patch.in_rays_units(patch.error_of_t(place))))
     });
     match hits {
         [Some(first), Some(second)] if second.0.t < first.0.t => Some(second),
@@ -199,8 +204,8 @@ where
 }
 // ANCHOR_END: nearest
 
-/// A patch and a ray as the equations have them: `A + u E + v G + uv k = t d`.
-struct Seen<P> {
+/// A patch and a ray as the equations have them, `A + u E + v G + uv k = t d`, lengths and d in powers of two near their sizes.
+struct Seen<P: Vector3> {
     /// a as seen from the ray's origin.
     a: P,
     /// `b − a`.
@@ -214,20 +219,40 @@ struct Seen<P> {
     /// The sizes of the terms of k, coordinate by coordinate.
     k_size: P,
     direction: P,
+    /// The unit of lengths.
+    length: P::Scalar,
+    /// What the direction is multiplied by.
+    per_speed: P::Scalar,
 }
 
 impl<P: Vector3<Scalar: Real>> Seen<P> {
     fn new([a, b, c, d]: &[P; 4], ray: &Ray<P>) -> Self {
-        let (e, opposite) = (b.minus(*a), c.minus(*d));
+        let [from_a, from_b] = [a, b].map(|corner| corner.minus(ray.origin));
+        let sides = [b.minus(*a), c.minus(*d), d.minus(*a), c.minus(*b)];
+        let vectors = [from_a, from_b, sides[0], sides[1], sides[2], sides[3]];
+        let length = vectors
+            .map(VectorSpace::largest_coordinate)
+            .into_iter()
+            .fold(P::Scalar::zero(), larger)
+            .power_of_two();
+        let per_length = P::Scalar::one() / length;
+        let [a, b, e, opposite, g, end] = vectors.map(|vector| vector.times(per_length));
         Self {
-            a: a.minus(ray.origin),
+            a,
             e,
-            g: d.minus(*a),
+            g,
             k: opposite.minus(e),
-            end: [b.minus(ray.origin), c.minus(*b)],
+            end: [b, end],
             k_size: sizes(opposite).plus(sizes(e)),
-            direction: ray.direction,
+            direction: in_its_unit(ray.direction),
+            length,
+            per_speed: P::Scalar::one() / ray.direction.largest_coordinate().power_of_two(),
         }
+    }
+
+    /// A parameter of the scaled ray, or its error, as one of the ray itself.
+    fn in_rays_units(&self, t: P::Scalar) -> P::Scalar {
+        t * self.length * self.per_speed
     }
 
     /// The roots of `d · (P × Q) = 0`, where `P = A + u E` is on the edge from a to b and `Q = G + u k` runs along the line: infinite or NaN
@@ -239,6 +264,13 @@ impl<P: Vector3<Scalar: Real>> Seen<P> {
         let at_1 = volume(self.end[0], self.end[1]);
         let square = volume(self.e, self.k);
         let linear = at_1 - at_0 - square;
+        // For a narrow patch, whose volumes are small in any unit.
+        let largest = larger(
+            larger(at_0.magnitude(), square.magnitude()),
+            linear.magnitude(),
+        );
+        let per_largest = P::Scalar::one() / largest.power_of_two();
+        let [at_0, linear, square] = [at_0, linear, square].map(|volume| volume * per_largest);
         let four = P::Scalar::from_i32(4);
         let root = (linear * linear - four * square * at_0).sqrt();
         // The sum of two numbers of the same sign: no cancellation.
@@ -347,6 +379,11 @@ impl<P: Vector3<Scalar: Real>> Seen<P> {
         let total = point.plus(sizes(self.direction).times(t.magnitude()));
         total.times(P::Scalar::from_i32(9) * P::Scalar::unit_roundoff())
     }
+}
+
+/// The vector with its largest coordinate between 1 and 2, by a power of two.
+fn in_its_unit<P: Vector3<Scalar: Real>>(vector: P) -> P {
+    vector.times(P::Scalar::one() / vector.largest_coordinate().power_of_two())
 }
 
 /// The absolute values of the coordinates.

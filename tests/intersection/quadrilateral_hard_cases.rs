@@ -1,7 +1,8 @@
 //! Rays and quadrilateral facets where the equations degenerate.
 
+use facette::algebra::{Real, VectorSpace};
 use facette::intersection::quadrilateral::Quadrilateral;
-use facette::intersection::{Intersect, IntersectionError, Side};
+use facette::intersection::{Hit, Intersect, IntersectionError, Side};
 use facette::ray::Ray;
 use num_traits::ToPrimitive;
 
@@ -59,6 +60,74 @@ fn collapsed_quadrilateral_is_a_triangle() {
             None
         );
     }
+}
+
+/// A saddle of the given size, and a ray whose direction has the given length: met at t = 3.1957 size / speed.
+fn saddle_of_size<S: Real>(size: S, speed: S) -> Option<Hit<[S; 3]>> {
+    let scaled = |point: [f64; 3], unit: S| point.map(|x| S::from_f64(x) * unit);
+    let corners = [
+        [-1., -1., 1.],
+        [2., -1., 1.5],
+        [2., 2., 1.],
+        [-1., 2., 1.25],
+    ];
+    let saddle = Quadrilateral::new(corners.map(|corner| scaled(corner, size)));
+    saddle.expect("finite corners").intersect(&Ray::new(
+        scaled([0.25, 0.125, -2.0], size),
+        scaled([0.0625, 0.03125, 1.0], speed),
+    ))
+}
+
+/// Whether the hit is the one of size 1, to the last bit.
+fn expect_same_digits<S: Real>(exponents: [i32; 2]) {
+    let [size, speed] = exponents.map(|exponent| S::from_f64(2.0_f64.powi(exponent)));
+    let unit = saddle_of_size(S::one(), S::one()).expect("inside");
+    let hit = saddle_of_size(size, speed);
+    let expected = Hit {
+        t: unit.t * size / speed,
+        t_error: unit.t_error * size / speed,
+        point: unit.point.times(size),
+        point_error: unit.point_error * size,
+        ..unit
+    };
+    assert_eq!(hit, Some(expected), "size and speed 2^{exponents:?}");
+}
+
+/// **A quadrilateral may have any size.** The discriminant has products of four lengths and two coordinates of $\mathbf d$: of $10^{10}$ they overflow in `f32`, of $10^{-12}$ they underflow. In powers of two near the sizes of the facet and of $\mathbf d$ the hit has the same digits at all sizes and all speeds.
+#[test]
+fn quadrilateral_may_have_any_size() {
+    let t = saddle_of_size::<f64>(1.0, 1.0).expect("inside").t;
+    assert!((t - 3.195_717).abs() < 1e-6, "{t}");
+    for exponent in (-90..=120).step_by(10) {
+        for speed in [exponent, exponent - 30, exponent / 2, 0] {
+            expect_same_digits::<f32>([exponent, speed]);
+        }
+    }
+    for exponent in (-950..=1000).step_by(50) {
+        for speed in [exponent, exponent / 2, 0] {
+            expect_same_digits::<f64>([exponent, speed]);
+        }
+    }
+}
+
+/// **Far and slow.** A facet of $10^8$ at $10^{11}$, in `f32`: nothing about it is extreme but the products in the discriminant. The ray through its side meets it at $t=1$.
+#[test]
+fn quadrilateral_far_away_is_met_in_single_precision() {
+    let corners: [[f32; 3]; 4] = [
+        [99_979_665_408.0, 99_991_502_848.0, 99_997_057_024.0],
+        [100_098_605_056.0, 100_024_311_808.0, 100_025_540_608.0],
+        [100_082_499_584.0, 100_103_569_408.0, 100_015_611_904.0],
+        [99_997_597_696.0, 100_126_498_816.0, 100_011_278_336.0],
+    ];
+    let ray = Ray::new(
+        [100_097_430_000.0, 100_061_800_000.0, 100_046_620_000.0],
+        [-58_271_520.0, -50_742_470.0, -35_256_724.0],
+    );
+    let hit = Quadrilateral::new(corners)
+        .expect("finite corners")
+        .intersect(&ray);
+    let hit = hit.expect("inside");
+    assert!((hit.t - 1.0).abs() < 1e-5, "{hit:?}");
 }
 
 /// **What is not finite is met nowhere.** So with NaN, infinity or no direction in the ray; corners that are not finite are refused by name.
