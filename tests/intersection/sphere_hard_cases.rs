@@ -271,6 +271,22 @@ fn what_is_no_surface_is_refused() {
     assert_eq!(none, IntersectionError::NoPoints);
 }
 
+/// **A length beyond the last power of two.** From $2.9\cdot10^{38}$ on one side of the centre to $3\cdot10^{38}$ on the other is a way of $5.9\cdot10^{38}$, which single precision does not have. Along $\mathbf d=(0,0,10^{38})$ it is $t=5.9$: units of length and of speed are multiplied first where
+/// one is large and the other small.
+#[test]
+fn way_through_a_huge_sphere_is_longer_than_any_number() {
+    let huge = Sphere::new([0.0_f32; 3], 3e38).expect("a positive radius");
+    let ray = Ray::new([0.0, 0.0, -2.9e38], [0.0, 0.0, 1e38]);
+    assert!((3e38_f32 + 2.9e38).is_infinite());
+    let hit = huge.intersect(&ray).expect("there is no way out");
+    assert!((hit.t - 5.9).abs() <= hit.t_error, "{hit:?}");
+    assert!(hit.t_error < 1e-5 && hit.side == Side::Back, "{hit:?}");
+    let tiny = Sphere::new([0.0_f32; 3], 3e-38).expect("a positive radius");
+    let slow = Ray::new([0.0, 0.0, -2.9e-38], [0.0, 0.0, 1e-38]);
+    let hit = tiny.intersect(&slow).expect("there is no way out");
+    assert!((hit.t - 5.9).abs() <= hit.t_error, "{hit:?}");
+}
+
 /// **Units that round nothing.** The power of two that a length is measured in is at most the length and more than half of it; its reciprocal is finite even for denormal numbers, and multiplying by either is exact.
 #[test]
 fn power_of_two_is_a_unit_that_rounds_nothing() {

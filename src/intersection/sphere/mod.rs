@@ -142,8 +142,14 @@ where
     P: Vector3,
     P::Scalar: Real,
 {
+    /// A parameter as the ray counts it: no product overflows or underflows unless the last one does.
     fn in_rays_units(&self, t: P::Scalar) -> P::Scalar {
-        t * self.length * self.per_speed
+        let is_small = |unit: P::Scalar| unit < P::Scalar::one();
+        if is_small(self.length) == is_small(self.per_speed) {
+            t * self.length * self.per_speed
+        } else {
+            t * (self.length * self.per_speed)
+        }
     }
 
     fn roots(&self) -> [P::Scalar; 2] {
@@ -169,7 +175,8 @@ where
     ///
     /// # Accuracy
     ///
-    /// t is within `t_error` of the true parameter where the true line meets the sphere (tested as `sphere_error_stays_below_its_bound`). A
+    /// t is within `t_error` of the true parameter where the true line meets the sphere (tested as `sphere_error_stays_below_its_bound`); where t is subnormal, the bound
+    /// may underflow, and the smallest positive number is to be added. A
     /// line whose true distance from the centre is within `u (9 |o − c| + 4 r)` of r may be found to touch or to miss. The point is moved onto the sphere: it is within
     /// `point_error = u (7 r + |point|)` of a point of it, however inaccurate t is (`sphere_point_error_stays_below_its_bound`).
     ///
