@@ -26,7 +26,8 @@ const ROUNDOFFS_OF_A_FRAME: i32 = 32;
 /// However near to the view up may be, the six scalar products are within 20u of 0 and 1 (tested as `frame_is_orthonormal_within_its_bound`).
 /// w is within 6u of its exact value, coordinate by coordinate relatively; the sine of the angle between u and its exact value is at most
 /// `(8√3 m / |up × w| + 12) u`, where `m` is the largest of the terms `|a_j b_k| + |a_k b_j|` of the product (tested as
-/// `right_axis_turns_no_more_than_its_bound`).
+/// `right_axis_turns_no_more_than_its_bound`). That bound supposes that the coordinates of `up`, and those of its unit vector, are zero or normal numbers: subnormal ones
+/// have fewer digits, and turn the frame by as much.
 ///
 /// # Source
 ///
@@ -118,7 +119,7 @@ impl<P: Vector3> CameraFrame<P> {
     ///
     /// # Accuracy
     ///
-    /// As [`look_at_axes`]: coordinates of any size that does not overflow. Eye and target far from the origin do no harm of
+    /// As [`look_at_axes`]: coordinates of any size that does not overflow, those of `up` zero or normal numbers. Eye and target far from the origin do no harm of
     /// their own, since their difference loses nothing that the given numbers had; but what was rounded when they were written down is lost: at 10⁷ a
     /// number of single precision is known to within one half.
     ///

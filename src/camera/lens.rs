@@ -227,12 +227,14 @@ impl<P: Vector3> Camera<P> {
     }
 
     /// The place (u, v) at which a point appears, inside the rectangle or not; `None` for a point that no ray of the camera reaches, because it is not in front
-    /// of the eye (perspective) or of the image plane (orthographic), or has NaN.
+    /// of the eye (perspective) or of the image plane (orthographic), for one with NaN or infinity, and where the place overflows.
     pub fn project(&self, point: P) -> Option<[P::Scalar; 2]> {
         match self.projection {
             Projection::Orthographic => {
                 let [u, v, behind] = self.frame.coordinates(point);
-                (behind < P::Scalar::zero()).then_some([u, v])
+                (behind < P::Scalar::zero())
+                    .then_some([u, v])
+                    .filter(|place| place.iter().all(|&number| Scalar::is_finite(number)))
             }
             Projection::Perspective { distance } => {
                 project_perspective(&self.frame, distance, point)
@@ -241,14 +243,18 @@ impl<P: Vector3> Camera<P> {
     }
 
     /// Where a point appears in an image *file* of this size: pixels to the right of its left border and **below** its upper border, the centre of the first pixel being
-    /// `[½, ½]`. Outside the image the numbers go on. `None` as [`Camera::project`].
+    /// `[½, ½]`. Outside the image the numbers go on. `None` as [`Camera::project`], and where the position overflows.
     pub fn position_in_file(&self, size: ImageSize, point: P) -> Option<[P::Scalar; 2]> {
         let [u, v] = self.project(point)?;
         let Self { rectangle, .. } = self;
         let [columns, rows] = [size.columns(), size.rows()].map(number::<P::Scalar>);
-        Some([
+        let position = [
             columns * ((u - rectangle.left()) / rectangle.width()),
             rows * ((rectangle.top() - v) / rectangle.height()),
-        ])
+        ];
+        position
+            .into_iter()
+            .all(Scalar::is_finite)
+            .then_some(position)
     }
 }

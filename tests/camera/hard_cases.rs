@@ -201,6 +201,34 @@ fn points_beside_and_behind_the_eye_are_not_projected() {
     }
 }
 
+/// **Points without a place.** Infinity minus infinity is NaN, and comparing the depth alone lets it pass: an orthographic camera would put the point $(-\infty,-\infty,0)$ at $(\mathrm{NaN},\cdot)$. Nor has a point an image whose place, or whose position in the file, is beyond the largest number.
+#[test]
+fn points_without_a_place_are_not_projected() {
+    let frame = CameraFrame::looking_at([3.0_f64, 2.0, 1.0], [0.0; 3], [0.0, 0.0, 1.0]);
+    let frame = frame.expect("a view");
+    let rectangle = ImageRectangle::centred(2.0, 2.0).expect("a rectangle");
+    let size = ImageSize::new(640, 480).expect("pixels");
+    let infinite = [-f64::INFINITY, -f64::INFINITY, 0.0];
+    let [u, ..] = frame.coordinates(infinite);
+    assert!(u.is_nan());
+    let cameras = [
+        Camera::orthographic(frame, rectangle),
+        Camera::perspective(frame, rectangle, 1.0).expect("a distance"),
+    ];
+    for camera in cameras {
+        assert!(camera.position_in_file(size, [0.0; 3]).is_some());
+        let nan = [f64::NAN, 0.0, 0.0];
+        for point in [infinite, [-f64::INFINITY, 0.0, 0.0], nan] {
+            assert_eq!(camera.project(point), None, "{point:?}");
+            assert_eq!(camera.position_in_file(size, point), None, "{point:?}");
+        }
+    }
+    // A place that is a number, at a position that is none.
+    let far = [-1e308, 1e308, 0.0];
+    assert!(cameras[0].project(far).is_some());
+    assert_eq!(cameras[0].position_in_file(size, far), None);
+}
+
 /// **An image of one pixel.** Its ray goes through the middle of the rectangle, wherever that lies, and its row is the first from both sides.
 #[test]
 fn image_of_one_pixel_looks_through_the_middle() {
