@@ -15,7 +15,11 @@
 //! A point of the surface lies in the box of half-side e around the computed point. Seen along a unit vector n, that box reaches `e (|n_x| + |n_y| + |n_z|)` to either side. Once
 //! that far, the origin is outside the box, and beyond the tangent plane of every point in it; twice that far, it keeps the other half for the rounding
 //! of the sum and of the next intersection, which are of the same kind and size as e. A last step away from the surface by one or two units in the
-//! last place, in each coordinate, makes sure that it moves even where e is 0.
+//! last place, in each coordinate, makes it move where e is 0, too, but for coordinates that are 0: units in the last place of 0 are 0.
+//!
+//! To which side the ray goes is the sign of `d · n`. Directions with `|d · n| <= 10u (|d_x n_x| + |d_y n_y| + |d_z n_z|)` lie in the tangent plane as far as rounding can tell (5u for the unit normal
+//! and its product with d, 4u for the product that the surface computes, one for the second order): the two signs may differ, and a [`Plane`](super::Plane) may be met again,
+//! by a hit whose `t_error` is infinite or of the size of its t.
 //!
 //! # Sources
 //!
@@ -41,7 +45,8 @@ const REACHES: i32 = 2;
 ///
 /// The origin is at most `2√3 · point_error` away from the hit's point, and 3 units in the last place of each coordinate. From there a plane, a triangle, or a sphere seen from outside is
 /// not hit again (tested as `ray_that_leaves_a_facet_does_not_meet_it_again`), and nothing farther in front than that, plus its own error, is missed (tested as
-/// `ray_that_leaves_a_facet_meets_what_is_in_front`).
+/// `ray_that_leaves_a_facet_meets_what_is_in_front`). Excepted are directions in the tangent plane up to rounding, `|d · n| <= 10u (|d_x n_x| + |d_y n_y| + |d_z n_z|)`, by which a plane may be met
+/// again.
 ///
 /// # Edge cases
 ///
