@@ -156,7 +156,11 @@ where
             let reciprocal = one / d;
             let overflows = !d.is_zero() && !Scalar::is_finite(reciprocal);
             // Infinity would put a plane that lies ahead beyond all others, however near it is.
-            if overflows { zero / zero } else { reciprocal }
+            if overflows {
+                P::Scalar::from_f64(f64::NAN)
+            } else {
+                reciprocal
+            }
         });
         Self {
             origin: ray.origin,
