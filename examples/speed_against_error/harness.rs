@@ -190,6 +190,10 @@ impl<'a> Comparison<'a> {
     }
 
     fn push(mut self, [algorithm, scalar]: [&'static str; 2], batch: impl Batch + 'a) -> Self {
+        assert!(
+            !algorithm.contains(','),
+            "a comma in \"{algorithm}\" would end its cell"
+        );
         self.variants.push(Variant {
             algorithm,
             scalar,

@@ -167,7 +167,7 @@ fn flat_quadrilaterals(count: usize, visitor: &mut Visitor<'_>) {
         lazily(|| quadrilateral_truths::<f64>(corners, &rays)),
         lazily(|| quadrilateral_truths::<f32>(corners, &rays)),
     ];
-    let comparison = Comparison::new("quadrilateral, flat", "typical", count)
+    let comparison = Comparison::new("quadrilateral lying flat", "typical", count)
         .answers(
             ["two triangles", "f64"],
             &wide,

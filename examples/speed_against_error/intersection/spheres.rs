@@ -163,7 +163,7 @@ where
             asking::<S, _>(rays, by_roots(ball, roots_by_projection)),
         )
         .answers(
-            ["projection, any size", scalar],
+            ["projection at any size", scalar],
             truths,
             asking::<S, _>(rays, chord),
         )
@@ -264,12 +264,12 @@ where
     };
     comparison
         .answers(
-            ["minimum and maximum, NaN spreads", scalar],
+            ["minimum and maximum: NaN spreads", scalar],
             truths,
             asking::<S, _>(rays, by_test(bounds, propagating_slabs)),
         )
         .answers(
-            ["minimum and maximum, NaN ignored", scalar],
+            ["minimum and maximum: NaN ignored", scalar],
             truths,
             asking::<S, _>(rays, by_test(bounds, ignoring_slabs)),
         )
@@ -284,7 +284,7 @@ where
             asking::<S, _>(rays, by_test(bounds, unwidened_slabs)),
         )
         .answers(["division", scalar], truths, asking::<S, _>(rays, span))
-        .answers(["prepared ray, widened", scalar], truths, widened)
+        .answers(["prepared ray widened", scalar], truths, widened)
 }
 
 /// Hands the comparisons of spheres and boxes to the visitor.

@@ -220,7 +220,7 @@ fn in_one_width<'a, S: Real>(
         )
         .answers(["watertight", scalar], truths, scene.each::<S>(watertight))
         .answers(
-            ["watertight, shear kept", scalar],
+            ["watertight with kept shear", scalar],
             truths,
             scene.sheared::<S>(),
         )
