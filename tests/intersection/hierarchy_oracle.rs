@@ -1,8 +1,13 @@
-//! The first hit among triangles over exact rationals: what every answer of the hierarchy is held against.
+//! The first hit among triangles over exact numbers: what every answer of the hierarchy is held against.
+//!
+//! Every number of single precision is a whole multiple of 2⁻¹⁴⁹. In this unit all coordinates are integers, and no fraction is reduced before the end.
+
+use std::array::from_fn;
 
 use facette::intersection::Side;
 use facette::ray::Ray;
 use glam::Vec3;
+use num_bigint::BigInt;
 use num_traits::{Signed, Zero};
 
 use crate::common::oracle::{Big, big};
@@ -17,24 +22,22 @@ pub struct ExactHit {
     pub side: Side,
 }
 
-type Point = [Big; 3];
+type Point = [BigInt; 3];
 
 fn point(p: Vec3) -> Point {
-    p.to_array().map(|x| big(f64::from(x)))
+    let unit = Big::from_integer(BigInt::from(1) << 149);
+    p.to_array().map(|x| (big(x.into()) * &unit).to_integer())
 }
 
 fn minus(p: &Point, q: &Point) -> Point {
-    std::array::from_fn(|i| &p[i] - &q[i])
+    from_fn(|axis| &p[axis] - &q[axis])
 }
 
 fn cross(p: &Point, q: &Point) -> Point {
-    std::array::from_fn(|i| {
-        let (j, k) = ((i + 1) % 3, (i + 2) % 3);
-        &p[j] * &q[k] - &p[k] * &q[j]
-    })
+    [(1, 2), (2, 0), (0, 1)].map(|(j, k)| &p[j] * &q[k] - &p[k] * &q[j])
 }
 
-fn dot(p: &Point, q: &Point) -> Big {
+fn dot(p: &Point, q: &Point) -> BigInt {
     &p[0] * &q[0] + &p[1] * &q[1] + &p[2] * &q[2]
 }
 
@@ -47,23 +50,30 @@ pub fn exact_hit(triangle: u32, corners: [Vec3; 3], ray: &Ray<Vec3>) -> Option<E
     if slope.is_zero() {
         return None;
     }
-    let t = dot(&n, &minus(&a, &o)) / &slope;
-    let end = ray.end.map_or(f32::MAX, |end| end.min(f32::MAX));
-    let is_in_interval = t > big(f64::from(ray.start)) && t <= big(f64::from(end));
-    let x: Point = std::array::from_fn(|i| &o[i] + &t * &d[i]);
-    let area = dot(&n, &n);
-    let weight = |p: &Point, q: &Point| dot(&cross(&minus(q, p), &minus(&x, p)), &n) / &area;
+    let distance = dot(&n, &minus(&a, &o));
+    // The point, and the corners, times the slope.
+    let x: Point = from_fn(|axis| &o[axis] * &slope + &distance * &d[axis]);
+    let area = dot(&n, &n) * &slope;
+    let weight = |p: &Point, q: &Point| {
+        let from_p: Point = from_fn(|axis| &x[axis] - &p[axis] * &slope);
+        dot(&cross(&minus(q, p), &from_p), &n)
+    };
     let weights = [weight(&b, &c), weight(&c, &a), weight(&a, &b)];
-    let is_inside = weights.iter().all(|weight| !weight.is_negative());
+    if weights.iter().any(|weight| (weight * &area).is_negative()) {
+        return None;
+    }
     let side = if slope.is_negative() {
         Side::Front
     } else {
         Side::Back
     };
-    (is_in_interval && is_inside).then_some(ExactHit {
+    let t = Big::new(distance, slope);
+    let end = ray.end.map_or(f32::MAX, |end| end.min(f32::MAX));
+    let is_in_interval = t > big(ray.start.into()) && t <= big(end.into());
+    is_in_interval.then(|| ExactHit {
         triangle,
         t,
-        weights,
+        weights: weights.map(|weight| Big::new(weight, area.clone())),
         side,
     })
 }
