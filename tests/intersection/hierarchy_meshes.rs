@@ -3,7 +3,7 @@
 use facette::ray::Ray;
 use glam::{DVec3, Vec3};
 
-/// Pseudo-random numbers (Knuth's 64-bit linear congruence, upper bits).
+/// Pseudo-random numbers in single precision (Knuth's 64-bit linear congruence, upper bits): figures use them too, without the tests' toolbox.
 #[derive(Clone, Debug)]
 pub struct Draws(u64);
 

@@ -24,9 +24,18 @@ pub struct ExactHit {
 
 type Point = [BigInt; 3];
 
+/// In units of 2⁻¹⁴⁹: the significand, shifted by the exponent above that of the denormal numbers.
 fn point(p: Vec3) -> Point {
-    let unit = Big::from_integer(BigInt::from(1) << 149);
-    p.to_array().map(|x| (big(x.into()) * &unit).to_integer())
+    p.to_array().map(|x| {
+        let (exponent, fraction) = (x.to_bits() >> 23 & 0xff, x.to_bits() & 0x7f_ffff);
+        let implied = if exponent == 0 { 0 } else { 1 << 23 };
+        let magnitude = BigInt::from(fraction | implied) << exponent.saturating_sub(1);
+        if x.is_sign_negative() {
+            -magnitude
+        } else {
+            magnitude
+        }
+    })
 }
 
 fn minus(p: &Point, q: &Point) -> Point {
