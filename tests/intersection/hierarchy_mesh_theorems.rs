@@ -56,7 +56,7 @@ fn no_ray_slips_through_the_hierarchy() {
     assert!(lost > 0);
 }
 
-/// Rays by the hundred million, for the report: `cargo test --release --test intersection hundred_million -- --ignored --nocapture`; `FACETTE_RAYS` sets another number.
+/// **A hundred million rays.** The same, a thousand times as many: `cargo test --release --test intersection hundred_million -- --ignored --nocapture`. The variable `FACETTE_RAYS` sets another number.
 #[test]
 #[ignore = "minutes"]
 fn hundred_million_rays_at_edges_and_corners() {
