@@ -6,6 +6,8 @@ mod boxes;
 mod facets;
 #[path = "first_programs.rs"]
 pub mod first_programs;
+#[path = "figures/hierarchy.rs"]
+mod hierarchy;
 #[path = "figures/hit_points.rs"]
 mod hit_points;
 #[path = "figures/pictures.rs"]
@@ -92,5 +94,17 @@ pub const FIGURES: &[FigureMaker] = &[
     FigureMaker {
         name: "normals",
         make: pictures::normals,
+    },
+    FigureMaker {
+        name: "boxes_level_by_level",
+        make: hierarchy::boxes_level_by_level,
+    },
+    FigureMaker {
+        name: "visits_of_pixels",
+        make: hierarchy::visits_of_pixels,
+    },
+    FigureMaker {
+        name: "visits_against_n",
+        make: hierarchy::visits_against_n,
     },
 ];

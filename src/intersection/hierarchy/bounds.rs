@@ -43,10 +43,12 @@ impl Bounds {
         -Vec3::new(x + p, y + q, z + r)
     }
 
+    // ANCHOR: half_area
     /// Half the surface area: a random line that meets the scene meets a convex body with a probability proportional to it (Crofton).
     #[inline]
     pub(super) fn half_area(self) -> f32 {
         let Vec3 { x, y, z } = self.extent();
         x * y + y * z + z * x
     }
+    // ANCHOR_END: half_area
 }

@@ -273,6 +273,7 @@ impl Bins {
             .map(|place| (place.to_bits() >> 8) as usize & (MOST_BINS - 1))
     }
 
+    // ANCHOR: best_cut
     /// The axis, and the first bin of the right side, of the cut with the least cost; `None` where all are in one bin.
     fn best_cut(&self) -> Option<(usize, usize)> {
         let (mut best, mut least) = (None, f32::INFINITY);
@@ -301,6 +302,7 @@ impl Bins {
         }
         best
     }
+    // ANCHOR_END: best_cut
 }
 
 #[allow(

@@ -104,6 +104,7 @@ impl Confirmed {
         self.t - self.t_error
     }
 
+    // ANCHOR: is_before
     /// Whether this hit comes before another one of the same line: by t, exactly, and then by the triangles' numbers.
     pub(super) fn is_before(&self, other: &Self, line: &Line, triangles: &[[Vec3; 3]]) -> bool {
         let gap = self.t - other.t;
@@ -118,6 +119,7 @@ impl Confirmed {
         };
         order.then(self.triangle.cmp(&other.triangle)) == Ordering::Less
     }
+    // ANCHOR_END: is_before
 }
 
 /// The hit of a line in its interval with a triangle, edges and corners included; `None` for a miss, or where the line lies in the triangle's plane, or

@@ -332,6 +332,7 @@ fn found(best: &Confirmed) -> Found {
     }
 }
 
+// ANCHOR: nearest_by_loop
 /// The first of these triangles that the ray meets, by asking each: the slides' linear loop, and what a hierarchy must agree with, bit for bit.
 ///
 /// A triangle with a coordinate that is not finite is never met.
@@ -350,3 +351,4 @@ pub fn nearest_by_loop(triangles: &[[Vec3; 3]], ray: &Ray<Vec3>) -> Option<Found
     }
     best.as_ref().map(found)
 }
+// ANCHOR_END: nearest_by_loop
