@@ -130,6 +130,7 @@ pub struct Comparison<'a> {
     evaluations: usize,
     size: usize,
     points_each: usize,
+    budget: f64,
     variants: Vec<Variant<'a>>,
 }
 
@@ -142,6 +143,7 @@ impl<'a> Comparison<'a> {
             evaluations,
             size: evaluations,
             points_each: 1,
+            budget: f64::INFINITY,
             variants: Vec::new(),
         }
     }
@@ -157,6 +159,11 @@ impl<'a> Comparison<'a> {
     /// The same comparison on a problem of this size, for the column `n`, where that is not the number of evaluations.
     pub fn of_size(self, size: usize) -> Self {
         Self { size, ..self }
+    }
+
+    /// The same comparison, all turns of which last no longer than so many nanoseconds where three rounds suffice for that.
+    pub fn within(self, budget: f64) -> Self {
+        Self { budget, ..self }
     }
 
     /// Adds a variant that fills a list of points, one for each of the `exact` values.
@@ -243,7 +250,7 @@ impl<'a> Comparison<'a> {
             round += once.max(effort.turn);
         }
         let mut times = vec![Vec::new(); self.variants.len()];
-        for _ in 0..repetitions(effort.budget / round).clamp(3, effort.rounds) {
+        for _ in 0..repetitions(effort.budget.min(self.budget) / round).clamp(3, effort.rounds) {
             for (index, variant) in self.variants.iter_mut().enumerate() {
                 let turn = time(variant, of_variants[index]);
                 times[index].push(turn / self.evaluations as f64);

@@ -7,6 +7,8 @@ use crate::harness::Effort;
 
 #[path = "intersection/facets.rs"]
 mod facets;
+#[path = "intersection/hierarchy.rs"]
+mod hierarchy;
 #[path = "../../tests/intersection/roots.rs"]
 #[allow(dead_code, reason = "tests and report each use their part")]
 mod roots;
@@ -23,4 +25,5 @@ pub fn visit(effort: Effort, visitor: &mut Visitor<'_>) {
     triangles::visit(effort, visitor);
     facets::visit(effort, visitor);
     surfaces::visit(effort, visitor);
+    hierarchy::visit(effort, visitor);
 }
