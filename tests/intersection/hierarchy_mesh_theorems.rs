@@ -85,11 +85,14 @@ fn every_ray_from_inside_hits_the_hierarchy() {
     }
 }
 
-/// What a ray met, and what it visited.
-type Asked = (Option<Found>, Option<Visits>);
+/// The boxes of a tree, level by level.
+type Boxes = Vec<Vec<[Vec3; 2]>>;
+
+/// What a ray finds and visits.
+type Answer = (Option<Found>, Option<Visits>);
 
 /// The boxes, and what rays find and visit, in a tree built by so many threads.
-fn built_by(threads: usize) -> (Vec<Vec<[Vec3; 2]>>, Vec<Asked>) {
+fn built_by(threads: usize) -> (Boxes, Vec<Answer>) {
     let pool = rayon::ThreadPoolBuilder::new()
         .num_threads(threads)
         .build()
@@ -122,21 +125,21 @@ fn mean_visits(triangles: &[[Vec3; 3]]) -> [f64; 2] {
     let mut sums = [0.0; 2];
     for _ in 0..RAYS {
         let origin = 3.0 * draws.direction();
-        let visits = query.visits(&Ray::new(origin, draws.direction() - origin));
-        let visits = visits.expect("an ordinary ray");
+        let ray = Ray::new(origin, draws.direction() - origin);
+        let visits = query.visits(&ray).expect("an ordinary ray");
         sums[0] += f64::from(visits.nodes);
         sums[1] += f64::from(visits.triangles);
     }
     sums.map(|sum| sum / f64::from(RAYS))
 }
 
-/// **The cost grows like a logarithm.** A tree whose nodes have eight children is about $\log_8n=\frac13\log_2n$ levels deep. If a ray follows three ways down on average, it visits $\log_2n$ nodes. The test measures it, on bumpy balls of $10^2$ to $10^4$ triangles and rays from all sides: a ray visits fewer
+/// **The cost grows like a logarithm.** A tree whose nodes have eight children is about $\log_8n=\frac13\log_2n$ levels deep. If a ray follows three ways down on average, it visits $\log_2n$ nodes. The test measures it, on bumpy balls of $10^2$ to $10^5$ triangles and rays from all sides: a ray visits fewer
 /// than $\log_2n$ nodes and tests fewer than $4\log_2n$ triangles, on average. The loop tests all $n$.
 ///
 /// Course: R12, slide 104, Many surfaces: the loop over all primitives.
 #[test]
 fn visits_grow_like_a_logarithm() {
-    for wanted in [100, 1000, 10_000] {
+    for wanted in [100, 1000, 10_000, 100_000] {
         let triangles = bumpy_ball(cuts_for(wanted));
         let count = triangles.len() as f64;
         let [nodes, tested] = mean_visits(&triangles);

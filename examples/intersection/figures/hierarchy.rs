@@ -14,9 +14,12 @@ use glam::{DVec3, Vec3};
 use super::pictures::shadings;
 use hierarchy_meshes::{Draws, bumpy_ball, cuts_for};
 
-#[allow(clippy::duplicate_mod, reason = "the tests have it beside the figures")]
 #[path = "../../../tests/intersection/hierarchy_meshes.rs"]
-#[allow(dead_code, reason = "the tests use more of it than the figures")]
+#[allow(
+    dead_code,
+    clippy::duplicate_mod,
+    reason = "the tests use more of it than the figures, and include the figures too"
+)]
 mod hierarchy_meshes;
 
 /// The pawn's triangles in single precision.
@@ -122,8 +125,8 @@ fn visits(hierarchy: &Hierarchy, camera: &Camera<DVec3>, size: ImageSize) -> Vec
     size.pixels_in_file_order()
         .map(|pixel| {
             let ray = camera.pixel_ray(size, pixel);
-            let visits = query.visits(&Ray::new(ray.origin.as_vec3(), ray.direction.as_vec3()));
-            visits.expect("an ordinary ray")
+            let ray = Ray::new(ray.origin.as_vec3(), ray.direction.as_vec3());
+            query.visits(&ray).expect("an ordinary ray")
         })
         .collect()
 }
@@ -212,8 +215,8 @@ fn mean_visits(triangles: &[[Vec3; 3]]) -> [f64; 2] {
     let mut sums = [0.0; 2];
     for _ in 0..1000 {
         let origin = 3.0 * draws.direction();
-        let visits = query.visits(&Ray::new(origin, draws.direction() - origin));
-        let visits = visits.expect("an ordinary ray");
+        let ray = Ray::new(origin, draws.direction() - origin);
+        let visits = query.visits(&ray).expect("an ordinary ray");
         sums[0] += f64::from(visits.nodes);
         sums[1] += f64::from(visits.triangles);
     }

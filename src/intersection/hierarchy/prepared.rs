@@ -259,6 +259,7 @@ impl Columns {
 }
 
 impl Prepared {
+    // ANCHOR: slabs
     /// Where the ray enters and leaves the eight boxes of a node, widened: `entry <= exit` for each box that the line meets between `start` and `end`.
     #[inline(always)]
     pub(super) fn slabs(&self, planes: &[f32x8; 6], end: f32) -> (f32x8, f32x8) {
@@ -273,6 +274,7 @@ impl Prepared {
         }
         (entry, exit)
     }
+    // ANCHOR_END: slabs
 
     /// 13 e, which the margin of an edge function is a multiple of.
     #[inline(always)]

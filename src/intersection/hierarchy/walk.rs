@@ -63,6 +63,7 @@ impl Walk {
         }
     }
 
+    // ANCHOR: visit
     /// Visits a node: its children that are met wait, and the walk goes on to the first of all that wait.
     #[inline(always)]
     pub(super) fn visit(&mut self, node: &Node, stack: &mut Stack) {
@@ -77,4 +78,5 @@ impl Walk {
         self.top += hits.count_ones();
         self.pop(stack);
     }
+    // ANCHOR_END: visit
 }
