@@ -62,6 +62,23 @@ fn view() -> View {
     View::perspective(middle + DVec3::new(3.5, 3.0, 6.0), middle, DVec3::Y, 31.0)
 }
 
+/// The boxes of a level, and those leaves above it that have no boxes below.
+fn with_leaves(levels: &[Vec<[Vec3; 2]>], level: usize) -> Vec<[Vec3; 2]> {
+    let holds = |outer: &[Vec3; 2], inner: &[Vec3; 2]| {
+        outer[0].cmple(inner[0]).all() && inner[1].cmple(outer[1]).all()
+    };
+    let is_leaf = |level: usize, bounds: &[Vec3; 2]| {
+        let below = levels.get(level + 1);
+        below.is_none_or(|below| !below.iter().any(|inner| holds(bounds, inner)))
+    };
+    let leaves = (0..level).flat_map(|above| {
+        levels[above]
+            .iter()
+            .filter(move |&bounds| is_leaf(above, bounds))
+    });
+    leaves.chain(&levels[level]).copied().collect()
+}
+
 /// The boxes of the first levels around the pawn.
 pub fn boxes_level_by_level() -> Figure {
     const COLOURS: [Colour; 5] = [
@@ -72,10 +89,9 @@ pub fn boxes_level_by_level() -> Figure {
         Colour::Blue,
     ];
     let levels = pawn().boxes();
-    let mut row: Vec<_> = levels[..3]
-        .iter()
-        .enumerate()
-        .map(|(level, boxes)| {
+    let mut row: Vec<_> = (0..3)
+        .map(|level| {
+            let boxes = with_leaves(&levels, level);
             let scene = (boxes.iter().zip(COLOURS.iter().cycle()))
                 .fold(Scene::new(view()), |scene, (&bounds, &colour)| {
                     scene.surface(&solid(bounds), Material::matte(colour))
@@ -90,7 +106,7 @@ pub fn boxes_level_by_level() -> Figure {
     row.push(Panel::picture(&label, pawn.render(360, 480)));
     Figure::drawn(
         "boxes_level_by_level",
-        "A mesh and the boxes of its hierarchy, level by level. Each box of one level holds up to eight of the next. They close in on the mesh; a ray that misses the pawn by a hand's breadth is done after a few boxes.",
+        "A mesh and the boxes of its hierarchy, level by level. Each box of one level holds up to eight of the next, or is that of a leaf and stays. They close in on the mesh; a ray that misses the pawn by a hand's breadth is done after a few boxes.",
         "Four pictures. The first has a few large coloured boxes in the rough outline of a chess pawn, the second several dozen smaller ones, the third some hundred that follow the pawn's shape closely. The fourth is the pawn itself.",
         &panels(2, &row),
     )
@@ -201,8 +217,8 @@ pub fn visits_of_pixels() -> Figure {
     }
     Figure::drawn(
         "visits_of_pixels",
-        "What the ray of each pixel costs, from dark (nothing) to light (much). Rays beside the pawn visit the root and little more. Those that graze an outline pass many boxes and hit nothing in them; those that meet the middle of a part are soon done. The loop would test all triangles at each pixel.",
-        "Two pictures in false colours of a chess pawn on a dark ground, one for the nodes visited and one for the triangles tested, with a colour scale below each. The outlines of the pawn's head, collar and foot shine brightest; the background is almost black, with faint rectangles around the pawn.",
+        "What the ray of each pixel costs, from dark (nothing) to light (much). Rays beside the pawn visit the root, and no triangle. Most of those that meet it visit two to four nodes and test a dozen triangles. Where boxes lie behind each other and the ray slips past what is in them, as beside the stem and at the foot, it visits up to eight. The loop would test all 542 triangles at each pixel.",
+        "Two pictures in false colours of a chess pawn on a dark ground, one for the nodes visited and one for the triangles tested, with a colour scale below each. The background is dark. The pawn stands in overlapping shapes of boxes, brighter the more of them overlap, brightest beside the neck and where the stem meets the foot.",
         &drawing,
     )
 }
@@ -245,7 +261,7 @@ pub fn visits_against_n() -> Figure {
     Figure::drawn(
         "visits_against_n",
         "Visits of a ray at a bumpy ball, in the mean over a thousand rays from all sides. The loop tests all $n$ triangles. In the hierarchy the number of triangles hardly grows, and the number of nodes grows with the depth of the tree, $\\log_8 n$.",
-        "A plot with logarithmic axes. The line of the loop rises straight from 32 to a hundred thousand. The two lines of the hierarchy stay flat: from about two nodes to about ten, and about ten triangles throughout.",
+        "A plot with logarithmic axes. The line of the loop rises straight from 32 to a hundred thousand. The two lines of the hierarchy stay nearly flat: from one node to about eight, and from six triangles to about twelve.",
         &plot,
     )
 }
