@@ -26,7 +26,7 @@
 use std::fmt::Debug;
 use std::ops::{Div, Neg, Sub};
 
-use glam::{DVec2, DVec3, DVec4, Vec2, Vec3, Vec3A, Vec4};
+use glam::{DVec2, DVec3, DVec4, Vec2, Vec3, Vec3A, Vec3Swizzles, Vec4};
 use num_traits::{One, Zero};
 
 /// A field of numbers with an order: what a formula without roots and cosines is written over.
@@ -378,9 +378,10 @@ macro_rules! glam_vector {
                 self.dot(other)
             }
 
+            // Not glam's own, which fuses in `Vec3A` where the processor can: other bits than elsewhere.
             #[inline]
             fn cross(self, other: Self) -> Self {
-                self.cross(other)
+                (self.zxy() * other - self * other.zxy()).zxy()
             }
         }
     };

@@ -117,7 +117,7 @@ pub enum PatchError {
 ///     control_points: vec![[0., 0., 0.], [1., 0., 0.], [0., 1., 0.], [1., 1., 1.]],
 /// })?;
 /// let hit = saddle.intersect(&Ray::new([0.5, 0.5, 2.0], [0.0, 0.0, -1.0])).expect("above the patch");
-/// assert!((hit.t - 1.75).abs() <= hit.t_error && hit.t_error < 1e-14);
+/// assert!((hit.t - 1.75_f64).abs() <= hit.t_error && hit.t_error < 1e-13);
 /// assert_eq!(hit.parameters, Some([0.5, 0.5]));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
