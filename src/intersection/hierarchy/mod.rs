@@ -268,7 +268,7 @@ impl Query<'_> {
         }
         self.group.fill(std::slice::from_ref(ray), hierarchy.scene);
         let hit = if self.group.ordinary == 1 {
-            hierarchy.nearest(ray, &self.group.rays[0], &mut self.stack, &mut ())
+            hierarchy.nearest(ray, &self.group.ray(0), &mut self.stack, &mut ())
         } else {
             hierarchy.walk_carefully(&Line::new(ray)?, false)
         };
@@ -289,7 +289,7 @@ impl Query<'_> {
         }
         self.group.fill(std::slice::from_ref(ray), hierarchy.scene);
         if self.group.ordinary == 1 {
-            return hierarchy.any(ray, &self.group.rays[0], &mut self.stack);
+            return hierarchy.any(ray, &self.group.ray(0), &mut self.stack);
         }
         Line::new(ray).is_some_and(|line| hierarchy.walk_carefully(&line, true).is_some())
     }

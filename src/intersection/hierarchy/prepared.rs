@@ -56,7 +56,7 @@ const LARGEST_SPEED: f32 = (1_u64 << 60) as f32;
 pub(super) const GROUP: usize = 8;
 
 /// A ray ready for boxes and leaves.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug)]
 #[repr(C)]
 pub(super) struct Prepared {
     /// q, for each axis.
@@ -106,7 +106,7 @@ impl Scene {
 /// Some rays, prepared.
 #[derive(Clone, Debug)]
 pub(super) struct Group {
-    pub(super) rays: [Prepared; GROUP],
+    columns: Columns,
     /// A bit for each that the margins hold for: not for a start below 0, and not where origin or direction are of another world's size, NaN or zero.
     pub(super) ordinary: u32,
 }
@@ -114,7 +114,7 @@ pub(super) struct Group {
 impl Group {
     pub(super) fn new() -> Self {
         Self {
-            rays: [Prepared::default(); GROUP],
+            columns: Columns::default(),
             ordinary: 0,
         }
     }
@@ -197,7 +197,7 @@ impl Group {
                 f32x8::from_bits(u32x8::splat(2)),
             ),
         );
-        let columns = Columns {
+        self.columns = Columns {
             q,
             entry,
             widening,
@@ -210,9 +210,12 @@ impl Group {
             octant,
             axis: axis.to_bits(),
         };
-        for (lane, ray) in self.rays.iter_mut().enumerate() {
-            *ray = columns.row(lane);
-        }
+    }
+
+    /// One of the rays.
+    #[inline(always)]
+    pub(super) fn ray(&self, lane: usize) -> Prepared {
+        self.columns.row(lane % GROUP)
     }
 }
 
@@ -221,7 +224,8 @@ fn zero() -> f32x8 {
     f32x8::ZERO
 }
 
-/// A field of [`Prepared`] for eight rays.
+/// The fields of [`Prepared`] for eight rays.
+#[derive(Clone, Debug, Default)]
 struct Columns {
     q: [f32x8; 3],
     entry: [f32x8; 3],

@@ -16,11 +16,11 @@ const _: () = assert!(DEEPEST * 7 + 8 <= SIZE, "the stack holds what may wait");
 
 /// Boxes that are still to be visited: where the ray enters each, as the bits of a number that is not negative, and which it is.
 #[derive(Clone, Debug)]
+#[repr(C)]
 pub(super) struct Stack {
     distances: [u32; SIZE],
     /// Keeps the two apart by other than a power of two, so that their places do not share a set of the cache.
-    #[allow(dead_code, reason = "it is there to take space")]
-    apart: [u32; 48],
+    _apart: [u32; 48],
     children: [u32; SIZE],
 }
 
@@ -29,7 +29,7 @@ impl Stack {
     pub(super) fn new() -> Box<Self> {
         Box::new(Self {
             distances: [0; SIZE],
-            apart: [0; 48],
+            _apart: [0; 48],
             children: [Child::END.0; SIZE],
         })
     }

@@ -66,7 +66,7 @@ impl Query<'_> {
             return None;
         }
         if !hierarchy.triangles.is_empty() {
-            hierarchy.nearest(ray, &self.group.rays[0], &mut self.stack, &mut visits);
+            hierarchy.nearest(ray, &self.group.ray(0), &mut self.stack, &mut visits);
         }
         Some(visits)
     }

@@ -238,7 +238,7 @@ impl Queue<'_> {
             }
             self.next += 1;
             if self.group.ordinary >> lane & 1 == 1 {
-                return Some((index, self.group.rays[lane]));
+                return Some((index, self.group.ray(lane)));
             }
             question.found(index, self.carefully(index, Q::ANY));
         }
