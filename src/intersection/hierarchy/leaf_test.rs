@@ -18,9 +18,9 @@ pub(super) struct Candidates {
 }
 
 impl Prepared {
-    /// The triangles of a leaf that the line may meet; `None` where there are none. The line meets the leaf's box.
+    /// The triangles of a leaf that the line may meet; `None` where there are none. The line enters the leaf's box at `distance`.
     #[inline(always)]
-    pub(super) fn candidates(&self, leaf: &Leaf, lanes: u32) -> Option<Candidates> {
+    pub(super) fn candidates(&self, leaf: &Leaf, lanes: u32, distance: f32) -> Option<Candidates> {
         let splat = f32x8::splat;
         let z = self.axis as usize;
         let x = if z == 2 { 0 } else { z + 1 };
@@ -54,7 +54,7 @@ impl Prepared {
         let w = bx.mul_sub(ay, by * ax);
         let least = u.fast_min(v).fast_min(w);
         let most = u.fast_max(v).fast_max(w);
-        let margin = self.edge_margin() * (leaf.size + self.slack());
+        let (margin, distance_error) = self.errors(leaf.size, distance);
         let possible =
             (least.simd_ge(splat(-margin)) | most.simd_le(splat(margin))).to_bitmask() & lanes;
         if possible == 0 {
@@ -63,8 +63,7 @@ impl Prepared {
         let certain = (least.simd_gt(splat(margin)) | most.simd_lt(splat(-margin))).to_bitmask();
         let reciprocal = f32x8::ONE / (u + v + w);
         let s = (u * at(pz, a) + v * at(pz, b) + w * at(pz, c)) * (reciprocal * splat(self.sign));
-        let error =
-            reciprocal.abs() * splat(3.0 * margin * leaf.size) + splat(self.distance_error());
+        let error = reciprocal.abs() * splat(3.0 * margin * leaf.size) + splat(distance_error);
         Some(Candidates {
             possible,
             certain,

@@ -10,19 +10,20 @@
 //! Let u = 2⁻²⁴, S the largest coordinate of the scene and R = S + |o|, which no distance from o to a point of the scene exceeds along any axis.
 //!
 //! *Boxes.* The plane p of axis k is met at `s = (p − o) q`, q = |d_z| / d_k, computed as `p q − o q`: two roundings of |p q|, two of |o q|, one more of
-//! each at the end, and one when the margin is added to `o q`: at most 4u R |q|. Where |d_k| < 2⁻²³ |d_z|, it is taken as 2⁻²³ |d_z|, with its
+//! each at the end, one when the margin is added to `o q`, and one when it is added again where the ray leaves: at most 5u R |q|. Where |d_k| < 2⁻²³ |d_z|, it is taken as 2⁻²³ |d_z|, with its
 //! sign: then |q| = 2²³, and along the whole scene, s <= R, the ray is moved by less than 2⁻²³ R = 2u R, which is s by 2u R |q|. So a margin
 //! of [`SLAB_MARGIN`] u R |q| = 8u R |q| covers both, and there is no division by zero, no infinity and no NaN.
 //!
-//! *Triangles.* The corner A is sheared to `x = (A − o)_x − (d_x / d_z) (A − o)_z`, and y alike: the line becomes the z axis. With |d_x| <= |d_z| the
-//! error is at most `u (2 + 4) R`, and [`SHEAR_ERROR`] covers the second order: e = 6.5u R. A leaf whose box, widened by the slabs' margins (16u R < 2.5e), is
-//! met by the line has all its corners within X = 2 (D + 2.5e) + e of the axis, D being the box's longest side. So the edge function
-//! `U = C_x B_y − C_y B_x` of two corners has an error of at most `4eX + 2e² + 4u X² <= 13 e (D + 3e)` (16u D² < 4.9 e D since D <= 2R): the margin m.
-//! A hit has no U, V, W below −m, or none above m. And if all are above m, or all below −m, the line certainly meets the triangle.
+//! *Triangles.* Where a ray enters the box of a leaf, at s, it is within 16u R of the box, whose longest side is D. So no corner is farther from o than
+//! r = s + D + 16u R along any axis. The corner A is sheared to `x = (A − o)_x − (d_x / d_z) (A − o)_z`, and y alike: the line becomes the z axis. With
+//! |d_x| <= |d_z| the error is at most `u (2 + 4) r`, and [`SHEAR_ERROR`] covers the second order: e = 6.5u r. The sheared corners are within
+//! X = 2 (D + 16u R) + e of the axis. So the edge function `U = C_x B_y − C_y B_x` of two corners has an error of at most `4e X + 2e² + 4u X²`, and since
+//! u X < 0.65 e this is below [`EDGE_MARGIN`] times e (D + 16u R + e): the margin m. A hit has no U, V, W below −m, or none above m. And
+//! if all are above m, or all below −m, the line certainly meets the triangle.
 //!
 //! *Distance.* There `s = (U A_z + V B_z + W C_z) / (U + V + W)`. The weights have errors that sum to at most 6m / |U + V + W|, and the corners differ
 //! from their middle by D / 2: this makes 3 m D / |U + V + W|. The roundings of the corners (1), of the products and sums (4), of the determinant (2), of
-//! the reciprocal and the product with it (2) make 9u R more; [`DISTANCE_ERROR`] covers the second order.
+//! the reciprocal and the product with it (2) make 9u r more; [`DISTANCE_ERROR`] covers the second order.
 
 use glam::Vec3;
 use wide::{f32x8, u32x8};
@@ -35,10 +36,13 @@ const U: f32 = f32::EPSILON / 2.0;
 /// The margin of a slab, in u R |q|.
 const SLAB_MARGIN: f32 = 8.0;
 
-/// The error of a sheared coordinate, in u R.
+/// The error of a sheared coordinate, in u r.
 const SHEAR_ERROR: f32 = 6.5;
 
-/// The error of the distance that does not depend on the triangle, in u R.
+/// The margin of an edge function, in e (D + 16 u R + e).
+const EDGE_MARGIN: f32 = 13.5;
+
+/// The error of the distance that does not depend on the triangle, in u r.
 const DISTANCE_ERROR: f32 = 10.0;
 
 /// The least direction coordinate, as a part of the largest.
@@ -280,21 +284,17 @@ impl Prepared {
     }
     // ANCHOR_END: slabs
 
-    /// 13 e, which the margin of an edge function is a multiple of.
+    /// The margin of an edge function and the error of s that does not depend on the triangle, for a leaf of this size whose box the ray enters at
+    /// this distance.
     #[inline(always)]
-    pub(super) fn edge_margin(&self) -> f32 {
-        13.0 * SHEAR_ERROR * self.unit
-    }
-
-    /// 3 e.
-    #[inline(always)]
-    pub(super) fn slack(&self) -> f32 {
-        3.0 * SHEAR_ERROR * self.unit
-    }
-
-    #[inline(always)]
-    pub(super) fn distance_error(&self) -> f32 {
-        DISTANCE_ERROR * self.unit
+    pub(super) fn errors(&self, size: f32, distance: f32) -> (f32, f32) {
+        let slop = 2.0 * SLAB_MARGIN * self.unit;
+        let reach = distance + size + slop;
+        let e = SHEAR_ERROR * U * reach;
+        (
+            EDGE_MARGIN * e * (size + slop + e),
+            DISTANCE_ERROR * U * reach,
+        )
     }
 
     /// How s is made of t: the unit of `line` in the tree's coordinates.

@@ -64,10 +64,11 @@ impl Hierarchy {
     #[inline(always)]
     pub(super) fn visit_leaf(&self, line: &Ray<Vec3>, walk: &mut Walk, stack: &Stack) {
         let index = walk.current.index();
-        if let Some(candidates) = walk
-            .ray
-            .candidates(&self.tree.leaves[index], walk.current.lanes())
-        {
+        if let Some(candidates) = walk.ray.candidates(
+            &self.tree.leaves[index],
+            walk.current.lanes(),
+            walk.distance,
+        ) {
             self.take(line, walk.current, &candidates, walk);
         }
         walk.pop(stack);
@@ -145,10 +146,11 @@ impl Hierarchy {
         stack: &Stack,
     ) -> bool {
         let index = walk.current.index();
-        if let Some(candidates) = walk
-            .ray
-            .candidates(&self.tree.leaves[index], walk.current.lanes())
-            && self.is_any_hit(line, walk, &candidates)
+        if let Some(candidates) = walk.ray.candidates(
+            &self.tree.leaves[index],
+            walk.current.lanes(),
+            walk.distance,
+        ) && self.is_any_hit(line, walk, &candidates)
         {
             return true;
         }

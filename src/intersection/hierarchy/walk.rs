@@ -31,6 +31,8 @@ pub(super) struct Walk {
     pub(super) place: Place,
     /// Where the ray is, or [`Child::END`].
     pub(super) current: Child,
+    /// Where it enters the box of that.
+    pub(super) distance: f32,
     /// How many boxes wait.
     top: u32,
 }
@@ -44,6 +46,7 @@ impl Walk {
             high: ray.end[1],
             place: Place::NONE,
             current: Child::ROOT,
+            distance: ray.start[0],
             top: 1,
         }
     }
@@ -58,6 +61,7 @@ impl Walk {
             if distance <= self.high {
                 self.top = number(top);
                 self.current = child;
+                self.distance = distance;
                 return;
             }
         }
