@@ -49,7 +49,7 @@ impl Hierarchy {
     }
 
     fn hits(&self, line: &Line, leaf: &Leaf, count: u32) -> impl Iterator<Item = Confirmed> {
-        let places = leaf.first as usize..(leaf.first + count) as usize;
+        let places = leaf.first()..leaf.first() + count as usize;
         let corners = |&triangle: &u32| confirm(line, triangle, self.triangles[triangle as usize]);
         self.tree.order[places].iter().filter_map(corners)
     }

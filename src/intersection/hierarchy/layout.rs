@@ -182,7 +182,7 @@ impl Layout<'_> {
             corners: corners.map(f32x8::new),
             indices,
             size: (high - low).max_element().next_up(),
-            first: number(range.first),
+            first: number(range.first) | number(known.len() - 1) << 28,
         })
     }
 }

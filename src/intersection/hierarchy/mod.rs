@@ -35,6 +35,7 @@ mod layout;
 mod leaf_test;
 mod node;
 mod order;
+mod packet;
 mod prepared;
 mod stack;
 mod statistics;

@@ -100,11 +100,29 @@ pub(super) struct Leaf {
     pub(super) indices: [[u8; WIDTH]; 3],
     /// The longest side of the leaf's box, rounded up.
     pub(super) size: f32,
-    /// The place of its first triangle in the order of the leaves.
+    /// The place of its first triangle in the order of the leaves; above its 28 bits, how many corners there are, less one.
     pub(super) first: u32,
 }
 
 impl Leaf {
+    /// The place of its first triangle in the order of the leaves.
+    #[inline(always)]
+    pub(super) fn first(&self) -> usize {
+        self.first as usize & 0xfff_ffff
+    }
+
+    #[inline(always)]
+    pub(super) fn corner_count(&self) -> usize {
+        (self.first >> 28) as usize + 1
+    }
+
+    /// Which corners the triangle in this lane has.
+    #[inline(always)]
+    pub(super) fn corners_of(&self, lane: usize) -> [usize; 3] {
+        let at = |corner: usize| self.indices[corner][lane % WIDTH] as usize % WIDTH;
+        [at(0), at(1), at(2)]
+    }
+
     /// The corners of the triangle in this lane.
     #[inline(always)]
     pub(super) fn triangle(&self, lane: usize) -> [Vec3; 3] {

@@ -25,6 +25,8 @@
 //! from their middle by D / 2: this makes 3 m D / |U + V + W|. The roundings of the corners (1), of the products and sums (4), of the determinant (2), of
 //! the reciprocal and the product with it (2) make 9u r more; [`DISTANCE_ERROR`] covers the second order.
 
+use std::ops::{Add, Mul};
+
 use glam::Vec3;
 use wide::{f32x8, u32x8};
 
@@ -110,7 +112,7 @@ impl Scene {
 /// Some rays, prepared.
 #[derive(Clone, Debug)]
 pub(super) struct Group {
-    columns: Columns,
+    pub(super) columns: Columns,
     /// A bit for each that the margins hold for: not for a start below 0, and not where origin or direction are of another world's size, NaN or zero.
     pub(super) ordinary: u32,
 }
@@ -205,6 +207,7 @@ impl Group {
             q,
             entry,
             widening,
+            position: [ox, oy, oz],
             origin: rotated([ox, oy, oz]),
             shear: [ax / az, ay / az],
             sign: f32x8::ONE | (az & sign_bit),
@@ -230,18 +233,20 @@ fn zero() -> f32x8 {
 
 /// The fields of [`Prepared`] for eight rays.
 #[derive(Clone, Debug, Default)]
-struct Columns {
-    q: [f32x8; 3],
-    entry: [f32x8; 3],
-    widening: [f32x8; 3],
-    origin: [f32x8; 3],
-    shear: [f32x8; 2],
-    sign: f32x8,
-    unit: f32x8,
-    start: [f32x8; 2],
-    end: [f32x8; 2],
-    octant: u32x8,
-    axis: u32x8,
+pub(super) struct Columns {
+    pub(super) q: [f32x8; 3],
+    pub(super) entry: [f32x8; 3],
+    pub(super) widening: [f32x8; 3],
+    /// The origins as they are, and along the axes of the leaf's test.
+    pub(super) position: [f32x8; 3],
+    pub(super) origin: [f32x8; 3],
+    pub(super) shear: [f32x8; 2],
+    pub(super) sign: f32x8,
+    pub(super) unit: f32x8,
+    pub(super) start: [f32x8; 2],
+    pub(super) end: [f32x8; 2],
+    pub(super) octant: u32x8,
+    pub(super) axis: u32x8,
 }
 
 impl Columns {
@@ -284,21 +289,30 @@ impl Prepared {
     }
     // ANCHOR_END: slabs
 
-    /// The margin of an edge function and the error of s that does not depend on the triangle, for a leaf of this size whose box the ray enters at
-    /// this distance.
+    /// [`errors`] of this ray.
     #[inline(always)]
     pub(super) fn errors(&self, size: f32, distance: f32) -> (f32, f32) {
-        let slop = 2.0 * SLAB_MARGIN * self.unit;
-        let reach = distance + size + slop;
-        let e = SHEAR_ERROR * U * reach;
-        (
-            EDGE_MARGIN * e * (size + slop + e),
-            DISTANCE_ERROR * U * reach,
-        )
+        errors(self.unit, size, distance)
     }
 
     /// How s is made of t: the unit of `line` in the tree's coordinates.
     pub(super) fn unit_of(line: &Ray<Vec3>, scale: f32) -> f64 {
         f64::from(line.direction.abs().max_element()) * f64::from(scale)
     }
+}
+
+/// The margin of an edge function and the error of s that does not depend on the triangle, for a leaf of this size whose box the ray enters at
+/// this distance. `unit` is u R.
+#[inline(always)]
+pub(super) fn errors<F>(unit: F, size: F, distance: F) -> (F, F)
+where
+    F: Copy + Add<Output = F> + Mul<Output = F> + Mul<f32, Output = F>,
+{
+    let slop = unit * (2.0 * SLAB_MARGIN);
+    let reach = distance + size + slop;
+    let e = reach * (SHEAR_ERROR * U);
+    (
+        e * (size + slop + e) * EDGE_MARGIN,
+        reach * (DISTANCE_ERROR * U),
+    )
 }

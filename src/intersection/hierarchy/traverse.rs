@@ -17,7 +17,7 @@ impl Hierarchy {
     #[inline(always)]
     pub(super) fn triangle_at(&self, place: Place) -> (u32, [Vec3; 3]) {
         let leaf = &self.tree.leaves[place.leaf as usize];
-        let triangle = self.tree.order[(leaf.first + place.lane) as usize];
+        let triangle = self.tree.order[leaf.first() + place.lane as usize];
         if !self.scene.is_scaled() {
             return (triangle, leaf.triangle(place.lane as usize));
         }
@@ -103,21 +103,31 @@ impl Hierarchy {
     #[cold]
     #[inline(never)]
     fn settle(&self, line: &Ray<Vec3>, place: Place, walk: &mut Walk) {
-        let Some(hit) = self.confirmed(line, place) else {
-            return;
-        };
-        if walk.place != Place::NONE
-            && let Some(other) = self.confirmed(line, walk.place)
-            && !hit.is_before(&other, &Line::of(line), &self.triangles)
+        if let Some([low, high]) = self.nearer(line, walk.place, [walk.low, walk.high], place) {
+            (walk.low, walk.high, walk.place) = (low, high, place);
+        }
+    }
+
+    /// Between which bounds s is at another triangle, if it is hit before the one that was the nearest; `known` are the bounds of that.
+    #[cold]
+    pub(super) fn nearer(
+        &self,
+        line: &Ray<Vec3>,
+        nearest: Place,
+        known: [f32; 2],
+        other: Place,
+    ) -> Option<[f32; 2]> {
+        let hit = self.confirmed(line, other)?;
+        if nearest != Place::NONE
+            && let Some(nearest) = self.confirmed(line, nearest)
+            && !hit.is_before(&nearest, &Line::of(line), &self.triangles)
         {
-            return;
+            return None;
         }
         let unit = Prepared::unit_of(line, self.scene.scale);
         #[allow(clippy::cast_possible_truncation, reason = "widened by a rounding")]
         let (low, high) = ((hit.earliest() * unit) as f32, (hit.latest() * unit) as f32);
-        walk.low = low.next_down().min(walk.low);
-        walk.high = high.next_up().min(walk.high);
-        walk.place = place;
+        Some([low.next_down().min(known[0]), high.next_up().min(known[1])])
     }
 
     /// Whether anything is hit.
