@@ -143,9 +143,10 @@ impl Hierarchy {
             largest.max(corner.abs().max_element())
         });
         let scale = scale(largest);
-        let scene = Scene {
+        let mut scene = Scene {
             scale,
             largest: largest * scale,
+            grain: 0.0,
         };
         let tree = if scene.is_scaled() {
             let scaled: Vec<_> = triangles
@@ -156,6 +157,7 @@ impl Hierarchy {
         } else {
             build_tree(&triangles, false)
         };
+        scene.grain = tree.grain();
         Ok(Self {
             triangles,
             tree,

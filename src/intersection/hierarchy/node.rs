@@ -149,6 +149,14 @@ pub(super) struct Tree {
     pub(super) order: Vec<u32>,
 }
 
+impl Tree {
+    /// The mean size of a leaf.
+    pub(super) fn grain(&self) -> f32 {
+        let sizes = self.leaves.iter().map(|leaf| leaf.size);
+        sizes.sum::<f32>() / self.leaves.len().max(1) as f32
+    }
+}
+
 #[allow(
     clippy::cast_possible_truncation,
     reason = "below Hierarchy::MOST_TRIANGLES, which is below 2^28"

@@ -19,16 +19,13 @@ use wide::{f32x8, u32x8};
 use super::Hierarchy;
 use super::node::{Child, Leaf, Node};
 use super::order::in_order;
-use super::prepared::{GROUP, Group};
+use super::prepared::{GROUP, Group, Scene, U};
 use super::stack::Stack;
 use super::walk::Place;
 use crate::ray::Ray;
 
-/// How far the slopes of a packet's rays may differ, for it to pay.
-const LARGEST_SPREAD: f32 = 1.0 / 16.0;
-
-/// How far their origins may differ, in the largest coordinate of the scene.
-const LARGEST_DISTANCE: f32 = 1.0 / 16.0;
+/// How far the rays of a packet may be apart at the far end of the scene, in leaves, for it to pay: measured.
+const LARGEST_SPREAD: f32 = 8.0;
 
 /// The lanes' numbers.
 const LANE_NUMBERS: u32x8 = u32x8::new([0, 1, 2, 3, 4, 5, 6, 7]);
@@ -72,7 +69,7 @@ fn most(row: f32x8) -> f32 {
 impl<'a> Packet<'a> {
     /// The group as a packet; `None` where its rays do not go the same way.
     #[inline(always)]
-    pub(super) fn new(group: &'a Group, largest: f32) -> Option<Self> {
+    pub(super) fn new(group: &'a Group, scene: Scene) -> Option<Self> {
         let columns = &group.columns;
         let [octant, axis] = [columns.octant, columns.axis].map(u32x8::to_array);
         let is_same =
@@ -80,14 +77,14 @@ impl<'a> Packet<'a> {
         if !is_same {
             return None;
         }
-        let slopes = columns.shear.map(|slope| most(slope) - least(slope));
+        let [sx, sy] = columns.shear;
         let [ox, oy, oz] = columns.position;
         let low_origin = [least(ox), least(oy), least(oz)];
         let high_origin = [most(ox), most(oy), most(oz)];
         let distance = Vec3::from(high_origin) - Vec3::from(low_origin);
-        if slopes[0].max(slopes[1]) > LARGEST_SPREAD
-            || distance.max_element() > LARGEST_DISTANCE * largest
-        {
+        let slope = (most(sx) - least(sx)).max(most(sy) - least(sy));
+        let reach = columns.unit.as_array()[0] / U;
+        if distance.max_element() + slope * reach > LARGEST_SPREAD * scene.grain {
             return None;
         }
         let is_backwards = |axis: usize| octant[0] >> axis & 1 == 1;

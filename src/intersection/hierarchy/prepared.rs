@@ -33,7 +33,7 @@ use wide::{f32x8, u32x8};
 use crate::ray::Ray;
 
 /// The unit roundoff of `f32`.
-const U: f32 = f32::EPSILON / 2.0;
+pub(super) const U: f32 = f32::EPSILON / 2.0;
 
 /// The margin of a slab, in u R |q|.
 const SLAB_MARGIN: f32 = 8.0;
@@ -95,6 +95,8 @@ pub(super) struct Scene {
     pub(super) scale: f32,
     /// The largest of them after that.
     pub(super) largest: f32,
+    /// The mean size of a leaf.
+    pub(super) grain: f32,
 }
 
 impl Scene {

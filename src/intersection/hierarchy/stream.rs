@@ -258,7 +258,7 @@ impl Queue<'_> {
     /// Answers the eight rays of the group as a packet, if they go the same way.
     #[inline(always)]
     fn walk_together<Q: Question>(&mut self, question: &mut Q) -> bool {
-        let Some(mut packet) = Packet::new(self.group, self.hierarchy.scene.largest) else {
+        let Some(mut packet) = Packet::new(self.group, self.hierarchy.scene) else {
             return false;
         };
         let rays = &self.rays[self.next..];
