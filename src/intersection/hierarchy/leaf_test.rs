@@ -6,11 +6,11 @@ use super::node::Leaf;
 use super::order::lanes_of;
 use super::prepared::Prepared;
 
-/// Which triangles of a leaf the line may meet, and what is known of where.
+/// Which triangles of a leaf the ray may meet first, and what is known of where.
 pub(super) struct Candidates {
-    /// A bit for each triangle that may be met.
+    /// A bit for each triangle that may be met in the ray's interval, before what it has met.
     pub(super) possible: u32,
-    /// A bit for each that is met, if in the ray's interval.
+    /// A bit for each that the line certainly meets.
     pub(super) certain: u32,
     /// For those: between which bounds s is.
     pub(super) low: f32x8,
@@ -18,9 +18,17 @@ pub(super) struct Candidates {
 }
 
 impl Prepared {
-    /// The triangles of a leaf that the line may meet; `None` where there are none. The line enters the leaf's box at `distance`.
+    /// The triangles of a leaf that the ray may meet between its start and s = `end`. It enters the leaf's box at `distance`.
+    ///
+    /// All is computed for all triangles: a branch that nobody can foretell costs more.
     #[inline(always)]
-    pub(super) fn candidates(&self, leaf: &Leaf, lanes: u32, distance: f32) -> Option<Candidates> {
+    pub(super) fn candidates(
+        &self,
+        leaf: &Leaf,
+        lanes: u32,
+        distance: f32,
+        end: f32,
+    ) -> Candidates {
         let splat = f32x8::splat;
         let z = self.axis as usize;
         let x = if z == 2 { 0 } else { z + 1 };
@@ -55,20 +63,18 @@ impl Prepared {
         let least = u.fast_min(v).fast_min(w);
         let most = u.fast_max(v).fast_max(w);
         let (margin, distance_error) = self.errors(leaf.size, distance);
-        let possible =
-            (least.simd_ge(splat(-margin)) | most.simd_le(splat(margin))).to_bitmask() & lanes;
-        if possible == 0 {
-            return None;
-        }
-        let certain = (least.simd_gt(splat(margin)) | most.simd_lt(splat(-margin))).to_bitmask();
+        let possible = least.simd_ge(splat(-margin)) | most.simd_le(splat(margin));
+        let certain = least.simd_gt(splat(margin)) | most.simd_lt(splat(-margin));
         let reciprocal = f32x8::ONE / (u + v + w);
         let s = (u * at(pz, a) + v * at(pz, b) + w * at(pz, c)) * (reciprocal * splat(self.sign));
         let error = reciprocal.abs() * splat(3.0 * margin * leaf.size) + splat(distance_error);
-        Some(Candidates {
-            possible,
-            certain,
-            low: s - error,
-            high: s + error,
-        })
+        let (low, high) = (s - error, s + error);
+        let is_out = certain & (low.simd_gt(splat(end)) | high.simd_lt(splat(self.start[0])));
+        Candidates {
+            possible: possible.to_bitmask() & !is_out.to_bitmask() & lanes,
+            certain: certain.to_bitmask(),
+            low,
+            high,
+        }
     }
 }

@@ -183,7 +183,7 @@ impl<'a> Packet<'a> {
             top += hits.count_ones() as usize;
             index = loop {
                 top -= 1;
-                let (distance, place) = stack.at(top);
+                let (distance, place) = (stack.distance(top), stack.child(top));
                 if place == Child::END {
                     return;
                 }

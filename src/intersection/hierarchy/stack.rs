@@ -1,10 +1,11 @@
 //! What waits to be visited.
 
-use wide::u32x8;
+use wide::{f32x8, u32x8};
 
 use super::Hierarchy;
 use super::build::DEEPEST_BY_COST;
 use super::node::Child;
+use super::order::in_order;
 
 /// More than can wait: seven children at each level, and the eight that are written at once.
 const SIZE: usize = 1024;
@@ -34,11 +35,49 @@ impl Stack {
         })
     }
 
+    /// What waits in a place.
     #[inline(always)]
-    pub(super) fn at(&self, place: usize) -> (f32, Child) {
+    pub(super) fn child(&self, place: usize) -> Child {
+        Child(self.children[place % SIZE])
+    }
+
+    /// Where the ray enters it.
+    #[inline(always)]
+    pub(super) fn distance(&self, place: usize) -> f32 {
+        f32::from_bits(self.distances[place % SIZE])
+    }
+
+    /// Leaves out what is behind `end`, of the first `count` entries; says how many stay. Without a branch for each.
+    #[inline(always)]
+    pub(super) fn keep_before(&mut self, count: usize, end: f32) -> usize {
+        let (mut read, mut kept) = (0, 0);
+        while read < count {
+            let (distances, children) = self.read(read);
+            let is_there = (1_u32 << (count - read).min(8)) - 1;
+            let stays = f32x8::from_bits(distances)
+                .simd_le(f32x8::splat(end))
+                .to_bitmask()
+                & is_there;
+            // For the octant of three negative signs, lanes keep their order.
+            let order = in_order(7, stays);
+            self.write(
+                kept,
+                distances.shuffle_wrapping(order),
+                children.shuffle_wrapping(order),
+            );
+            kept += stays.count_ones() as usize;
+            read += 8;
+        }
+        kept
+    }
+
+    #[inline(always)]
+    fn read(&self, place: usize) -> (u32x8, u32x8) {
+        let places = place.min(SIZE - 8)..place.min(SIZE - 8) + 8;
+        let eight = |row: &[u32]| u32x8::new(row.try_into().unwrap_or([0; 8]));
         (
-            f32::from_bits(self.distances[place % SIZE]),
-            Child(self.children[place % SIZE]),
+            eight(&self.distances[places.clone()]),
+            eight(&self.children[places]),
         )
     }
 

@@ -180,43 +180,48 @@ impl Walkers {
         let walks = &mut self.walks[..];
         let nodes = &hierarchy.tree.nodes[..];
         while at_nodes.count > 0 {
-            let (mut still_at_nodes, mut at_leaves) = (List::EMPTY, List::EMPTY);
+            let (mut still_at_nodes, mut at_leaves, mut at_ends) =
+                (List::EMPTY, List::EMPTY, List::EMPTY);
             for place in 0..at_nodes.count {
                 let number = at_nodes.get(place);
                 let Walker { walk, stack, .. } = &mut walks[number];
                 walk.visit(&nodes[walk.current.index()], stack);
-                still_at_nodes.push_if(number, !walk.current.is_leaf());
-                at_leaves.push_if(number, walk.current.is_leaf());
+                let (is_leaf, is_end) = (walk.current.is_leaf(), walk.current == Child::END);
+                still_at_nodes.push_if(number, !is_leaf);
+                at_leaves.push_if(number, is_leaf & !is_end);
+                at_ends.push_if(number, is_end);
             }
             while at_leaves.count > 0 {
                 let mut still_at_leaves = List::EMPTY;
                 for place in 0..at_leaves.count {
                     let number = at_leaves.get(place);
                     let Walker { walk, stack, index } = &mut walks[number];
-                    let mut is_hit = false;
-                    if walk.current != Child::END {
-                        if Q::ANY {
-                            is_hit = hierarchy.visit_leaf_for_any(&rays[*index], walk, stack);
-                        } else {
-                            hierarchy.visit_leaf(&rays[*index], walk, stack);
-                        }
+                    if !Q::ANY {
+                        hierarchy.visit_leaf(&rays[*index], walk, stack);
+                    } else if hierarchy.visit_leaf_for_any(&rays[*index], walk, stack) {
+                        walk.current = Child::END;
+                        walk.place.leaf = 0;
                     }
-                    if is_hit || walk.current == Child::END {
-                        if is_hit || walk.place != Place::NONE {
-                            question.hit(hierarchy, rays, *index, walk.place);
-                        } else {
-                            question.miss(*index);
-                        }
-                        let Some((next, ray)) = queue.next(question) else {
-                            continue;
-                        };
-                        *index = next;
-                        *walk = Walk::new(ray);
-                    }
-                    still_at_nodes.push_if(number, !walk.current.is_leaf());
-                    still_at_leaves.push_if(number, walk.current.is_leaf());
+                    let (is_leaf, is_end) = (walk.current.is_leaf(), walk.current == Child::END);
+                    still_at_nodes.push_if(number, !is_leaf);
+                    still_at_leaves.push_if(number, is_leaf & !is_end);
+                    at_ends.push_if(number, is_end);
                 }
                 at_leaves = still_at_leaves;
+            }
+            for place in 0..at_ends.count {
+                let number = at_ends.get(place);
+                let Walker { walk, index, .. } = &mut walks[number];
+                if walk.place == Place::NONE {
+                    question.miss(*index);
+                } else {
+                    question.hit(hierarchy, rays, *index, walk.place);
+                }
+                if let Some((next, ray)) = queue.next(question) {
+                    *index = next;
+                    *walk = Walk::new(ray);
+                    still_at_nodes.push_if(number, true);
+                }
             }
             at_nodes = still_at_nodes;
         }

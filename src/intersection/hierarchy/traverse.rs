@@ -62,40 +62,32 @@ impl Hierarchy {
     }
 
     #[inline(always)]
-    pub(super) fn visit_leaf(&self, line: &Ray<Vec3>, walk: &mut Walk, stack: &Stack) {
-        let index = walk.current.index();
-        if let Some(candidates) = walk.ray.candidates(
-            &self.tree.leaves[index],
-            walk.current.lanes(),
-            walk.distance,
-        ) {
-            self.take(line, walk.current, &candidates, walk);
+    pub(super) fn visit_leaf(&self, line: &Ray<Vec3>, walk: &mut Walk, stack: &mut Stack) {
+        let leaf = walk.current.index();
+        let candidates = walk.candidates(&self.tree.leaves[leaf], stack);
+        if candidates.possible != 0 {
+            self.take(line, leaf as u32, &candidates, walk);
+            walk.cull(stack);
         }
         walk.pop(stack);
     }
 
     /// Takes the nearest of a leaf's candidates, if it is nearer than the nearest so far.
     #[inline(always)]
-    fn take(&self, line: &Ray<Vec3>, leaf: Child, candidates: &Candidates, walk: &mut Walk) {
-        let leaf = number(leaf.index());
+    fn take(&self, line: &Ray<Vec3>, leaf: u32, candidates: &Candidates, walk: &mut Walk) {
         let mut lanes = candidates.possible;
         while lanes != 0 {
             let lane = lanes.trailing_zeros();
             lanes &= lanes - 1;
             let place = Place { leaf, lane };
-            let (low, high) = (
-                candidates.low.as_array()[lane as usize & 7],
-                candidates.high.as_array()[lane as usize & 7],
-            );
+            let low = candidates.low.as_array()[lane as usize & 7];
+            let high = candidates.high.as_array()[lane as usize & 7];
             let is_certain = candidates.certain >> lane & 1 == 1;
-            if is_certain && (low > walk.high || high < walk.ray.start[0]) {
-                continue;
-            }
             if is_certain && high < walk.low && low > walk.ray.start[1] {
                 (walk.low, walk.high, walk.place) = (low, high, place);
-                continue;
+            } else if !is_certain || low <= walk.high {
+                self.settle(line, place, walk);
             }
-            self.settle(line, place, walk);
         }
     }
 
@@ -155,13 +147,9 @@ impl Hierarchy {
         walk: &mut Walk,
         stack: &Stack,
     ) -> bool {
-        let index = walk.current.index();
-        if let Some(candidates) = walk.ray.candidates(
-            &self.tree.leaves[index],
-            walk.current.lanes(),
-            walk.distance,
-        ) && self.is_any_hit(line, walk, &candidates)
-        {
+        let leaf = walk.current.index();
+        let candidates = walk.candidates(&self.tree.leaves[leaf], stack);
+        if candidates.possible != 0 && self.is_any_hit(line, leaf as u32, walk, &candidates) {
             return true;
         }
         walk.pop(stack);
@@ -169,25 +157,22 @@ impl Hierarchy {
     }
 
     #[inline(always)]
-    fn is_any_hit(&self, line: &Ray<Vec3>, walk: &Walk, candidates: &Candidates) -> bool {
-        let leaf = number(walk.current.index());
+    fn is_any_hit(
+        &self,
+        line: &Ray<Vec3>,
+        leaf: u32,
+        walk: &Walk,
+        candidates: &Candidates,
+    ) -> bool {
         let mut lanes = candidates.possible;
         while lanes != 0 {
             let lane = lanes.trailing_zeros();
             lanes &= lanes - 1;
-            let (low, high) = (
-                candidates.low.as_array()[lane as usize & 7],
-                candidates.high.as_array()[lane as usize & 7],
-            );
-            if candidates.certain >> lane & 1 == 1 {
-                if low > walk.high || high < walk.ray.start[0] {
-                    continue;
-                }
-                if high < walk.low && low > walk.ray.start[1] {
-                    return true;
-                }
-            }
-            if self.confirmed(line, Place { leaf, lane }).is_some() {
+            let low = candidates.low.as_array()[lane as usize & 7];
+            let high = candidates.high.as_array()[lane as usize & 7];
+            let is_certain = candidates.certain >> lane & 1 == 1;
+            let is_inside = is_certain && high < walk.low && low > walk.ray.start[1];
+            if is_inside || self.confirmed(line, Place { leaf, lane }).is_some() {
                 return true;
             }
         }

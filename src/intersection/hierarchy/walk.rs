@@ -1,6 +1,7 @@
 //! A ray on its way down the tree.
 
-use super::node::{Child, Node, number};
+use super::leaf_test::Candidates;
+use super::node::{Child, Leaf, Node};
 use super::order::in_order;
 use super::prepared::Prepared;
 use super::stack::Stack;
@@ -31,8 +32,6 @@ pub(super) struct Walk {
     pub(super) place: Place,
     /// Where the ray is, or [`Child::END`].
     pub(super) current: Child,
-    /// Where it enters the box of that.
-    pub(super) distance: f32,
     /// How many boxes wait.
     top: u32,
 }
@@ -46,25 +45,15 @@ impl Walk {
             high: ray.end[1],
             place: Place::NONE,
             current: Child::ROOT,
-            distance: ray.start[0],
             top: 1,
         }
     }
 
-    /// Goes on to the next box that waits and is not behind the nearest hit.
+    /// Goes on to the next box that waits. All that wait are before the nearest triangle.
     #[inline(always)]
     pub(super) fn pop(&mut self, stack: &Stack) {
-        let mut top = self.top as usize;
-        loop {
-            top -= 1;
-            let (distance, child) = stack.at(top);
-            if distance <= self.high {
-                self.top = number(top);
-                self.current = child;
-                self.distance = distance;
-                return;
-            }
-        }
+        self.top -= 1;
+        self.current = stack.child(self.top as usize);
     }
 
     // ANCHOR: visit
@@ -82,5 +71,19 @@ impl Walk {
         self.top += hits.count_ones();
         self.pop(stack);
     }
-    // ANCHOR_END: visit
+
+    /// The triangles of the current leaf that the ray may meet.
+    #[inline(always)]
+    pub(super) fn candidates(&self, leaf: &Leaf, stack: &Stack) -> Candidates {
+        // What was taken from the stack is still there.
+        let distance = stack.distance(self.top as usize);
+        self.ray
+            .candidates(leaf, self.current.lanes(), distance, self.high)
+    }
+
+    /// Leaves out what waits behind the nearest triangle.
+    #[inline(always)]
+    pub(super) fn cull(&mut self, stack: &mut Stack) {
+        self.top = stack.keep_before(self.top as usize, self.high) as u32;
+    }
 }
