@@ -17,7 +17,7 @@ use glam::Vec3;
 use wide::{f32x8, u32x8};
 
 use super::Hierarchy;
-use super::node::{Child, Leaf, Node};
+use super::node::{Child, Leaf, Node, number};
 use super::order::in_order;
 use super::prepared::{GROUP, Group, Scene, U};
 use super::stack::Stack;
@@ -174,7 +174,7 @@ impl<'a> Packet<'a> {
             let hits = entries.simd_le(exits).to_bitmask() & node.taken;
             let order = in_order(self.beam.octant, hits);
             // What waits is a child of a node, by place: its box is needed again.
-            let places = u32x8::splat((index as u32) << 3) | LANE_NUMBERS;
+            let places = u32x8::splat(number(index) << 3) | LANE_NUMBERS;
             stack.write(
                 top,
                 entries.to_bits().shuffle_wrapping(order),
@@ -242,7 +242,7 @@ impl<'a> Packet<'a> {
                 low,
                 high,
                 Place {
-                    leaf: child.index() as u32,
+                    leaf: number(child.index()),
                     lane,
                 },
             );
@@ -255,7 +255,7 @@ impl<'a> Packet<'a> {
                     &rays[ray],
                     ray,
                     Place {
-                        leaf: child.index() as u32,
+                        leaf: number(child.index()),
                         lane,
                     },
                 );

@@ -188,7 +188,7 @@ impl Walkers {
                 walk.visit(&nodes[walk.current.index()], stack);
                 let (is_leaf, is_end) = (walk.current.is_leaf(), walk.current == Child::END);
                 still_at_nodes.push_if(number, !is_leaf);
-                at_leaves.push_if(number, is_leaf & !is_end);
+                at_leaves.push_if(number, is_leaf && !is_end);
                 at_ends.push_if(number, is_end);
             }
             while at_leaves.count > 0 {
@@ -204,7 +204,7 @@ impl Walkers {
                     }
                     let (is_leaf, is_end) = (walk.current.is_leaf(), walk.current == Child::END);
                     still_at_nodes.push_if(number, !is_leaf);
-                    still_at_leaves.push_if(number, is_leaf & !is_end);
+                    still_at_leaves.push_if(number, is_leaf && !is_end);
                     at_ends.push_if(number, is_end);
                 }
                 at_leaves = still_at_leaves;

@@ -66,7 +66,7 @@ impl Hierarchy {
         let leaf = walk.current.index();
         let candidates = walk.candidates(&self.tree.leaves[leaf], stack);
         if candidates.possible != 0 {
-            self.take(line, leaf as u32, &candidates, walk);
+            self.take(line, number(leaf), &candidates, walk);
             walk.cull(stack);
         }
         walk.pop(stack);
@@ -149,7 +149,7 @@ impl Hierarchy {
     ) -> bool {
         let leaf = walk.current.index();
         let candidates = walk.candidates(&self.tree.leaves[leaf], stack);
-        if candidates.possible != 0 && self.is_any_hit(line, leaf as u32, walk, &candidates) {
+        if candidates.possible != 0 && self.is_any_hit(line, number(leaf), walk, &candidates) {
             return true;
         }
         walk.pop(stack);

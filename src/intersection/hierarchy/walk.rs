@@ -1,7 +1,7 @@
 //! A ray on its way down the tree.
 
 use super::leaf_test::Candidates;
-use super::node::{Child, Leaf, Node};
+use super::node::{Child, Leaf, Node, number};
 use super::order::in_order;
 use super::prepared::Prepared;
 use super::stack::Stack;
@@ -84,6 +84,6 @@ impl Walk {
     /// Leaves out what waits behind the nearest triangle.
     #[inline(always)]
     pub(super) fn cull(&mut self, stack: &mut Stack) {
-        self.top = stack.keep_before(self.top as usize, self.high) as u32;
+        self.top = number(stack.keep_before(self.top as usize, self.high));
     }
 }
