@@ -32,6 +32,9 @@ const SORTED: usize = 5;
 /// How many triangles of a mesh have eight corners, more or less.
 const IN_A_LEAF: usize = 6;
 
+/// Up to so many triangles make a leaf without further question, if their corners fit.
+const ATOMIC: usize = 6;
+
 /// Above so many triangles the two halves are built at the same time.
 const PARALLEL: usize = 4096;
 
@@ -125,6 +128,16 @@ impl Builder<'_> {
             );
         }
         let count = primitives.len();
+        if count <= ATOMIC
+            && let Some(subtree) = self.leaf(primitives)
+        {
+            nodes[0] = BinaryNode {
+                bounds: [subtree.bounds.low().into(), subtree.bounds.high().into()],
+                left: 1,
+                choices: Choices::ONLY_A_LEAF,
+            };
+            return subtree;
+        }
         let left = split(primitives, depth);
         let (left_primitives, right_primitives) = primitives.split_at_mut(left);
         let (node, rest) = nodes
@@ -145,6 +158,18 @@ impl Builder<'_> {
             choices,
         };
         subtree
+    }
+
+    /// The leaf of a few triangles; `None` where they have too many corners.
+    fn leaf(&self, primitives: &[Primitive]) -> Option<Subtree> {
+        let bounds = primitives
+            .iter()
+            .map(Primitive::bounds)
+            .fold(Bounds::EMPTY, Bounds::union);
+        let triangles = primitives
+            .iter()
+            .map(|primitive| &self.triangles[primitive.triangle() as usize]);
+        Subtree::of_leaf(bounds, triangles)
     }
 }
 
@@ -213,16 +238,14 @@ fn sorted(primitives: &mut [Primitive], axis: usize) -> usize {
     best
 }
 
-/// Moves those that belong to the left to the front, and says how many there are.
+/// Moves those that belong to the left to the front, and says how many there are. Each is swapped, needed or not: which it is cannot be foretold.
 fn partition(primitives: &mut [Primitive], is_left: impl Fn(&Primitive) -> bool) -> usize {
-    let (mut left, mut right) = (0, primitives.len());
-    while left < right {
-        if is_left(&primitives[left]) {
-            left += 1;
-        } else {
-            right -= 1;
-            primitives.swap(left, right);
-        }
+    let mut left = 0;
+    for place in 0..primitives.len() {
+        let primitive = primitives[place];
+        primitives[place] = primitives[left];
+        primitives[left] = primitive;
+        left += usize::from(is_left(&primitive));
     }
     left
 }
@@ -244,11 +267,7 @@ const ROOM: f32 = 1.0 / 128.0;
 
 impl Bins {
     fn new(primitives: &[Primitive], low: Vec3, extent: Vec3) -> Self {
-        let count = if primitives.len() < 2 * MOST_BINS {
-            MOST_BINS / 2
-        } else {
-            MOST_BINS
-        };
+        let count = if primitives.len() < 256 { 8 } else { 16 };
         let most = count as f32 - ROOM;
         let scale = extent
             .to_array()
@@ -261,7 +280,8 @@ impl Bins {
             numbers: [[0; MOST_BINS]; 3],
         };
         for primitive in primitives {
-            for (axis, bin) in bins.bin(primitive).into_iter().enumerate() {
+            let places = bins.bin(primitive);
+            for (axis, bin) in places.into_iter().enumerate() {
                 let bounds = &mut bins.bounds[axis][bin];
                 *bounds = bounds.union(primitive.bounds());
                 bins.numbers[axis][bin] += 1;
@@ -284,30 +304,60 @@ impl Bins {
         let (mut best, mut least) = (None, f32::INFINITY);
         for axis in 0..3 {
             let (bounds, numbers) = (&self.bounds[axis], &self.numbers[axis]);
-            let mut costs = [0.0; MOST_BINS];
-            let (mut union, mut number) = (Bounds::EMPTY, 0);
+            // For each cut, named by the first bin of its right side: the sides' boxes and numbers.
+            let (mut left, mut right) = ([Bounds::EMPTY; MOST_BINS], [Bounds::EMPTY; MOST_BINS]);
+            let (mut left_numbers, mut right_numbers) = ([0.0; MOST_BINS], [0.0; MOST_BINS]);
             for bin in 1..self.count {
-                union = union.union(bounds[bin - 1]);
-                number += numbers[bin - 1];
-                costs[bin] = if number == 0 {
-                    f32::INFINITY
-                } else {
-                    union.half_area() * leaves(number as usize)
-                };
+                left[bin] = left[bin - 1].union(bounds[bin - 1]);
+                left_numbers[bin] = left_numbers[bin - 1] + numbers[bin - 1] as f32;
             }
-            (union, number) = (Bounds::EMPTY, 0);
-            for bin in (1..self.count).rev() {
-                union = union.union(bounds[bin]);
-                number += numbers[bin];
-                let cost = costs[bin] + union.half_area() * leaves(number as usize);
-                if number > 0 && cost < least {
-                    (best, least) = (Some((axis, bin)), cost);
+            (right[self.count - 1], right_numbers[self.count - 1]) =
+                (bounds[self.count - 1], numbers[self.count - 1] as f32);
+            for bin in (1..self.count - 1).rev() {
+                right[bin] = right[bin + 1].union(bounds[bin]);
+                right_numbers[bin] = right_numbers[bin + 1] + numbers[bin] as f32;
+            }
+            for first in (0..self.count).step_by(LANES) {
+                let costs = side_costs(&left, &left_numbers, first)
+                    + side_costs(&right, &right_numbers, first);
+                for (lane, &cost) in costs.as_array().iter().enumerate() {
+                    if cost < least {
+                        (best, least) = (Some((axis, first + lane)), cost);
+                    }
                 }
             }
         }
         best
     }
     // ANCHOR_END: best_cut
+}
+
+/// How many cuts are priced at once.
+const LANES: usize = 8;
+
+/// The cost of one side of eight cuts, infinite where it is empty.
+#[inline(always)]
+fn side_costs(bounds: &[Bounds; MOST_BINS], numbers: &[f32; MOST_BINS], first: usize) -> f32x8 {
+    let at = |lane: usize| bounds[(first + lane) % MOST_BINS].0;
+    let rows = f32x8::transpose([at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7)]);
+    let (x, y, z) = (rows[0] + rows[4], rows[1] + rows[5], rows[2] + rows[6]);
+    let area = x * y + y * z + z * x;
+    let number = |lane: usize| numbers[(first + lane) % MOST_BINS];
+    let numbers = f32x8::new([
+        number(0),
+        number(1),
+        number(2),
+        number(3),
+        number(4),
+        number(5),
+        number(6),
+        number(7),
+    ]);
+    let leaves =
+        ((numbers + f32x8::splat(IN_A_LEAF as f32 - 1.0)) / f32x8::splat(IN_A_LEAF as f32)).floor();
+    numbers
+        .simd_gt(f32x8::ZERO)
+        .select(area * leaves, f32x8::splat(f32::INFINITY))
 }
 
 /// How many leaves so many triangles take, at the least.

@@ -34,6 +34,9 @@ pub(super) struct Choices(u32);
 impl Choices {
     pub(super) const NONE: Self = Self(0);
 
+    /// A leaf that nothing is gained by splitting.
+    pub(super) const ONLY_A_LEAF: Self = Self(Self::LEAF);
+
     const LEAF: u32 = 1 << 31;
 
     pub(super) fn is_leaf(self) -> bool {
@@ -55,6 +58,25 @@ pub(super) struct Subtree {
 }
 
 impl Subtree {
+    /// A few triangles as a leaf; `None` where they have too many corners.
+    pub(super) fn of_leaf<'a>(
+        bounds: Bounds,
+        triangles: impl Iterator<Item = &'a [Vec3; 3]>,
+    ) -> Option<Self> {
+        let none = Corners {
+            hashes: [0; WIDTH],
+            count: 0,
+        };
+        let corners = triangles
+            .map(Corners::of_triangle)
+            .fold(none, |corners, more| corners.union(&more));
+        corners.fit().then(|| Self {
+            bounds,
+            costs: Costs([bounds.half_area() * LEAF_COST; WIDTH]),
+            corners,
+        })
+    }
+
     pub(super) fn of_triangle(bounds: Bounds, corners: &[Vec3; 3]) -> Self {
         Self {
             bounds,
@@ -110,6 +132,9 @@ impl Costs {
         }
         if is_leaf {
             choices |= Choices::LEAF;
+        }
+        if count > 4000 && std::env::var("SAH").is_ok() {
+            eprintln!("n {count} cost {}", costs[0] / area);
         }
         let subtree = Subtree {
             bounds,
