@@ -16,8 +16,8 @@ impl Tree {
         let mut layout = Layout {
             triangles,
             tree: Self {
-                nodes: Vec::with_capacity(binary.len() / 16 + 1),
-                leaves: Vec::with_capacity(binary.len() / 4 + 1),
+                nodes: Vec::with_capacity(binary.len() / 12 + 1),
+                leaves: Vec::with_capacity(binary.len() / 3 + 1),
                 order: primitives.iter().map(Primitive::triangle).collect(),
             },
         };
@@ -147,26 +147,23 @@ impl Layout<'_> {
     fn filled(&self, range: Range<'_>) -> Option<Leaf> {
         let mut corners = [[0.0_f32; WIDTH]; 3];
         let mut indices = [[0_u8; WIDTH]; 3];
-        let mut known: Vec<[u32; 3]> = Vec::with_capacity(WIDTH);
+        let (mut known, mut count) = ([[0_u32; 3]; WIDTH], 0);
         for (lane, primitive) in range.primitives.iter().enumerate() {
-            for (place, corner) in self.triangles[primitive.triangle() as usize]
-                .iter()
-                .enumerate()
-            {
+            let triangle = &self.triangles[primitive.triangle() as usize];
+            for (place, corner) in triangle.iter().enumerate() {
                 let bits = corner.to_array().map(f32::to_bits);
-                let index = known
+                let index = known[..count]
                     .iter()
                     .position(|&other| other == bits)
-                    .unwrap_or(known.len());
+                    .unwrap_or(count);
                 if index == WIDTH {
                     return None;
                 }
-                if index == known.len() {
-                    known.push(bits);
-                    for axis in 0..3 {
-                        corners[axis][index] = corner[axis];
-                    }
+                known[index] = bits;
+                for axis in 0..3 {
+                    corners[axis][index] = corner[axis];
                 }
+                count = count.max(index + 1);
                 #[allow(clippy::cast_possible_truncation, reason = "below 8")]
                 let index = index as u8;
                 indices[place][lane] = index;
@@ -175,48 +172,47 @@ impl Layout<'_> {
         // Places without a corner repeat the first one, so that nothing strange is computed there.
         for row in &mut corners {
             let first = row[0];
-            row[known.len()..].fill(first);
+            row[count..].fill(first);
         }
         let [low, high] = range.bounds();
         Some(Leaf {
             corners: corners.map(f32x8::new),
             indices,
             size: (high - low).max_element().next_up(),
-            first: number(range.first) | number(known.len() - 1) << 28,
+            first: number(range.first) | number(count - 1) << 28,
         })
     }
 }
 
-/// A place for each child, so that the order of `place XOR octant` is roughly front to back for rays of every octant: one after the other, the
-/// child that is farthest out in the direction of a free corner gets that corner.
+/// A place for each child, so that the order of `place XOR octant` is roughly front to back for rays of every octant: a place stands for a
+/// corner of the node's box, and the children that are farthest out choose first.
 fn places(children: &[Range<'_>]) -> [usize; WIDTH] {
-    let centres: Vec<Vec3> = children
-        .iter()
-        .map(|child| child.bounds().into_iter().sum())
-        .collect();
-    let middle = centres.iter().copied().sum::<Vec3>() / centres.len() as f32;
-    let mut places = [usize::MAX; WIDTH];
-    let mut free = [true; WIDTH];
-    for _ in 0..children.len() {
-        let (mut best, mut most) = (None, f32::NEG_INFINITY);
-        for (child, &centre) in centres
-            .iter()
-            .enumerate()
-            .filter(|&(child, _)| places[child] == usize::MAX)
-        {
-            let [x, y, z] = (centre - middle).to_array();
-            for place in (0..WIDTH).filter(|&place| free[place]) {
-                let along = |bit: usize, x: f32| if place >> bit & 1 == 1 { x } else { -x };
-                let out = along(0, x) + along(1, y) + along(2, z);
-                if out > most {
-                    (best, most) = (Some((child, place)), out);
-                }
+    let mut centres = [Vec3::ZERO; WIDTH];
+    let mut sum = Vec3::ZERO;
+    for (centre, child) in centres.iter_mut().zip(children) {
+        let [low, high] = child.bounds();
+        *centre = low + high;
+        sum += *centre;
+    }
+    let middle = sum / children.len() as f32;
+    let mut order = [0, 1, 2, 3, 4, 5, 6, 7];
+    let order = &mut order[..children.len()];
+    let out = |child: usize| (centres[child] - middle).abs().element_sum();
+    order.sort_unstable_by(|&a, &b| out(b).total_cmp(&out(a)).then(a.cmp(&b)));
+    let mut places = [0; WIDTH];
+    let mut taken = [false; WIDTH];
+    for &mut child in order {
+        let [x, y, z] = (centres[child] - middle).to_array();
+        let along = |place: usize, bit: usize, x: f32| if place >> bit & 1 == 1 { x } else { -x };
+        let out = |place: usize| along(place, 0, x) + along(place, 1, y) + along(place, 2, z);
+        let (mut best, mut most) = (0, f32::NEG_INFINITY);
+        for place in (0..WIDTH).filter(|&place| !taken[place]) {
+            if out(place) > most {
+                (best, most) = (place, out(place));
             }
         }
-        if let Some((child, place)) = best {
-            places[child] = place;
-            free[place] = false;
-        }
+        places[child] = best;
+        taken[best] = true;
     }
     places
 }
