@@ -133,9 +133,6 @@ impl Costs {
         if is_leaf {
             choices |= Choices::LEAF;
         }
-        if count > 4000 && std::env::var("SAH").is_ok() {
-            eprintln!("n {count} cost {}", costs[0] / area);
-        }
         let subtree = Subtree {
             bounds,
             costs: Self(costs),
