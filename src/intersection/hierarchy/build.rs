@@ -243,8 +243,7 @@ fn partition(primitives: &mut [Primitive], is_left: impl Fn(&Primitive) -> bool)
     let mut left = 0;
     for place in 0..primitives.len() {
         let primitive = primitives[place];
-        primitives[place] = primitives[left];
-        primitives[left] = primitive;
+        primitives.swap(place, left);
         left += usize::from(is_left(&primitive));
     }
     left
