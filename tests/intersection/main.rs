@@ -21,6 +21,7 @@ mod hierarchy_inputs;
 mod hierarchy_mesh_theorems;
 mod hierarchy_meshes;
 mod hierarchy_oracle;
+mod hierarchy_packet_theorems;
 mod hierarchy_theorems;
 mod main_job;
 mod mistakes;
