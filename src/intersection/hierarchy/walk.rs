@@ -71,6 +71,7 @@ impl Walk {
         self.top += hits.count_ones();
         self.pop(stack);
     }
+    // ANCHOR_END: visit
 
     /// The triangles of the current leaf that the ray may meet.
     #[inline(always)]
