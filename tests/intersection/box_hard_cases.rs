@@ -4,6 +4,9 @@ use facette::algebra::VectorSpace;
 use facette::intersection::{BoundingBox, Intersect, SlabRay, box_interval};
 use facette::ray::Ray;
 
+use num_traits::Signed;
+
+use crate::common::oracle::big;
 use crate::float_boxes::big_interval;
 use crate::variants_spheres::{ignoring_slabs, propagating_slabs, slabs_by_sign, unwidened_slabs};
 
@@ -243,4 +246,37 @@ fn box_at_the_end_of_the_ray_is_met() {
             "behind {distance}"
         );
     }
+}
+
+/// **Along a diagonal.** Where a ray enters through an edge or a corner, several slabs begin at the same $t$: the face that is named is that of the first of them, x before y before z, and so is the face where it leaves.
+#[test]
+fn first_of_several_faces_is_named() {
+    let unit = cuboid([0.0; 3], [1.0; 3]);
+    for (origin, direction) in [([-1.0; 3], [1.0; 3]), ([2.0; 3], [-1.0; 3])] {
+        let span = unit
+            .span(&Ray::new(origin, direction))
+            .expect("the diagonal");
+        assert_eq!((span.entry_axis, span.exit_axis), (0, 0), "{origin:?}");
+    }
+    let along_yz = Ray::new([0.5, -1.0, -1.0], [0.0, 1.0, 1.0]);
+    let span = unit.span(&along_yz).expect("a diagonal of a face");
+    assert_eq!((span.entry_axis, span.exit_axis), (1, 1));
+}
+
+/// **Two roundings add up.** The distance to a plane is rounded, and then the quotient: for this ray the error of $t$ is 1.95 roundoffs, more than either alone. The bound of three has room for it.
+#[test]
+fn difference_and_quotient_both_round() {
+    let bounds = cuboid([4.711_351_586_691_732, -1.0, -1.0], [9.0, 1.0, 1.0]);
+    let ray = Ray::new(
+        [0.655_537_309_770_931_8, 0.0, 0.0],
+        [1.975_950_870_022_111_6, 0.0, 0.0],
+    );
+    let hit = bounds.intersect(&ray).expect("straight ahead");
+    let [entry, _] = big_interval(&bounds, &ray).expect("straight ahead");
+    let error = (big(hit.t) - entry).abs();
+    assert!(error <= big(hit.t_error));
+    assert!(
+        error > big(1.9 * f64::EPSILON / 2.0 * hit.t),
+        "an error that needs the second rounding"
+    );
 }

@@ -394,6 +394,18 @@ fn ties_go_to_the_smallest_number() {
     }
 }
 
+/// **The same t, rounded differently.** Triangles of all sizes in one plane, met at $t=\frac13$: numerator and denominator of the quotient grow with the square of the size, and so round in two ways. Their $t$ are the same all the same, and the smaller number is the answer.
+#[test]
+fn equal_quotients_are_equal_however_they_round() {
+    let of_size = |k: f32| [[-k, -k], [k, -k], [0.0, k]].map(|[x, y]| Vec3::new(x, y, 1.0));
+    let ray = Ray::new(Vec3::ZERO, Vec3::new(0.0, 0.0, 3.0));
+    for (k, l) in (1..=20_u8).flat_map(|k| (1..=20_u8).map(move |l| (k, l))) {
+        let hierarchy = built(&[of_size(k.into()), of_size(l.into())]);
+        let found = ask(&hierarchy, &ray).expect("in the middle");
+        assert_eq!((found.triangle, found.hit.t), (0, 1.0 / 3.0), "{k} {l}");
+    }
+}
+
 /// **Start and end of the interval.** The start does not belong to the interval, the end does, to the last bit: a triangle at $t=2$ is met up to 2, and not from 2 on. A hit a third of an ulp after the start is one, though its $t$, once rounded, is the start.
 #[test]
 fn interval_is_half_open() {

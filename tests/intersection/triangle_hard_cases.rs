@@ -77,6 +77,16 @@ fn size_of_a_triangle_may_be_anything() {
                 (3.0, [0.25, 0.25]),
                 "{name}, {size:e}"
             );
+            // The interval is measured in the same powers of two: its start is left out, its end belongs to it.
+            let is_met = |ray: Ray<Point>| prescaled(&corners, &ray, test).is_some();
+            let kept = [
+                ray.after(2.0),
+                ray.after(3.0),
+                ray.until(3.0),
+                ray.until(2.0),
+            ]
+            .map(is_met);
+            assert_eq!(kept, [true, false, true, false], "{name}, {size:e}");
         }
         let hit = Triangle::new(corners)
             .expect("finite")
@@ -376,4 +386,18 @@ fn equal_rounded_products_are_told_apart() {
     let exact =
         [[p, q, [-3.0, 0.0, 0.0]], [q, p, beside]].map(|corners| robust(&corners, &ray).is_some());
     assert_eq!(hits, exact);
+    // Here the products differ by e², and their rounded values are the same: on the edge by the one, beside it in truth.
+    let [a, b] = [[1.0 + e, 1.0, 1.0], [-(1.0 + 2.0 * e), -(1.0 + e), 1.0]];
+    let ray = Ray::new([0.0; 3], [0.0, 0.0, 1.0]);
+    let thirds = [[-1.0, 1.0, 1.0], [1.0, -1.0, 1.0]];
+    let by =
+        |test: fn(&[Point; 3], &Ray<Point>) -> bool| thirds.map(|third| test(&[a, b, third], &ray));
+    assert_eq!(
+        by(|corners, ray| watertight(corners, ray).is_some()),
+        [true, false]
+    );
+    assert_eq!(
+        by(|corners, ray| robust(corners, ray).is_some()),
+        [true, false]
+    );
 }
