@@ -6,7 +6,7 @@
 //! | floor | modules |
 //! | --- | --- |
 //! | ground | [`algebra`], [`curve`], [`surface`], [`mesh`] |
-//! | surfaces | [`coons`], [`bspline`], [`tessellation`] |
+//! | surfaces | [`coons`], [`bspline`], [`tessellation`], [`subdivision`] |
 //! | rays | [`ray`], [`camera`], [`intersection`] |
 //!
 //! *In the book*: [the front page](../../index.html).
@@ -19,5 +19,6 @@ pub mod curve;
 pub mod intersection;
 pub mod mesh;
 pub mod ray;
+pub mod subdivision;
 pub mod surface;
 pub mod tessellation;

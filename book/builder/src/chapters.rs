@@ -10,6 +10,8 @@ mod camera;
 mod coons;
 #[path = "../../../examples/intersection/figures.rs"]
 mod intersection;
+#[path = "../../../examples/subdivision/figures.rs"]
+mod subdivision;
 #[path = "../../../examples/tessellation/figures.rs"]
 mod tessellation;
 
@@ -26,6 +28,10 @@ pub const CHAPTERS: &[ChapterFigures] = &[
     ChapterFigures {
         chapter: "tessellation",
         figures: tessellation::FIGURES,
+    },
+    ChapterFigures {
+        chapter: "subdivision",
+        figures: subdivision::FIGURES,
     },
     ChapterFigures {
         chapter: "camera",
