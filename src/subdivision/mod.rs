@@ -13,7 +13,8 @@
 //! # Conventions
 //!
 //! Polygons and meshes are lists of points and of indices, counted from 0. A step is named by its scheme; the masks are pure functions of the
-//! valence, apart from connectivity and positions.
+//! valence, apart from connectivity and positions. Meshes of polygons are [`Mesh`](crate::mesh::Mesh)es, joined by [`Connectivity`]; the points may be of
+//! any [`VectorSpace`](crate::algebra::VectorSpace), so that a colour is refined like a position. Level 0 is the control mesh.
 //!
 //! # Numerics
 //!
@@ -29,4 +30,11 @@
 //!
 //! *In the book*: [Subdivision](../../../subdivision.html).
 
+mod connectivity;
 pub mod curve;
+mod error;
+mod repair;
+
+pub use connectivity::Connectivity;
+pub use error::SubdivisionError;
+pub use repair::{Repair, repaired};
