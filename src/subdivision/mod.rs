@@ -33,8 +33,10 @@
 mod connectivity;
 pub mod curve;
 mod error;
+pub mod mask;
 mod repair;
 
 pub use connectivity::Connectivity;
 pub use error::SubdivisionError;
+pub use mask::{Corners, DooSabinWeights};
 pub use repair::{Repair, repaired};
