@@ -46,7 +46,7 @@ pub mod quadrilateral;
 mod sphere;
 pub mod triangle;
 
-pub use bezier_patch::{BezierPatch, CELL_LIMIT, EDGE_ON, PatchError};
+pub use bezier_patch::{CELL_LIMIT, EDGE_ON, PatchError, PatchIntersector};
 pub use bounding_box::{BoundingBox, BoxSpan, FaceHit, SlabRay, box_interval};
 pub use error::IntersectionError;
 pub use group::{Group, nearest};

@@ -3,7 +3,7 @@
 use facette::algebra::{Real, Vector3, VectorSpace, unit_vector};
 use facette::bspline;
 use facette::intersection::triangle::Triangle;
-use facette::intersection::{BezierPatch, Hit, Intersect, Plane, Sphere};
+use facette::intersection::{Hit, Intersect, PatchIntersector, Plane, Sphere};
 use facette::ray::Ray;
 use proptest::prelude::*;
 
@@ -101,7 +101,7 @@ impl Departure {
                     let place = [i as f64 - 1.0, j as f64 - 1.0];
                     round(self.local(place, bend[i] + bend[j]))
                 });
-                let patch = BezierPatch::new(bspline::BezierPatch {
+                let patch = PatchIntersector::new(bspline::BezierPatch {
                     domain: [[S::zero(), S::one()]; 2],
                     degrees: [2, 2],
                     control_points: points.collect(),

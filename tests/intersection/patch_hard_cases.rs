@@ -4,7 +4,7 @@ use std::time::{Duration, Instant};
 
 use facette::algebra::VectorSpace;
 use facette::bspline::{self, BsplineError};
-use facette::intersection::{BezierPatch, Hit, Intersect, PatchError, Side};
+use facette::intersection::{Hit, Intersect, PatchError, PatchIntersector, Side};
 use facette::ray::Ray;
 
 use crate::patch_inputs::{patch, wild};
@@ -13,7 +13,7 @@ use crate::variants_surfaces::newton_from_the_middle;
 type Point = [f64; 3];
 
 /// All hits of a ray, one after the other.
-fn all_hits(patch: &BezierPatch<Point>, ray: Ray<Point>) -> Vec<Hit<Point>> {
+fn all_hits(patch: &PatchIntersector<Point>, ray: Ray<Point>) -> Vec<Hit<Point>> {
     let mut hits: Vec<Hit<Point>> = Vec::new();
     let mut rest = ray;
     while let Some(hit) = patch.intersect(&rest) {
@@ -25,7 +25,7 @@ fn all_hits(patch: &BezierPatch<Point>, ray: Ray<Point>) -> Vec<Hit<Point>> {
 }
 
 /// The graph z = −(x² + y²) over the square from −1 to 1.
-fn dome() -> BezierPatch<Point> {
+fn dome() -> PatchIntersector<Point> {
     let half = [-1.0, 1.0, -1.0]; // −x² in Bézier form, over −1 <= x <= 1
     let points = (0..9).map(|k| {
         let [i, j] = [k % 3, k / 3];
@@ -179,7 +179,7 @@ fn flat_patch_is_not_met_edge_on() {
 fn ray_along_a_ruling_is_decided() {
     let arch = [[0.0, 0.0], [1.0, 2.0], [2.0, 0.0]];
     let points = [0.0, 1.0].map(|y| arch.map(|[x, z]| [x, y, z])).concat();
-    let cylinder: BezierPatch<Point> = patch([2, 1], points);
+    let cylinder: PatchIntersector<Point> = patch([2, 1], points);
     assert!(
         cylinder
             .intersect(&Ray::new([1.0, -3.0, 1.0], [0.0, 1.0, 0.0]))
@@ -313,7 +313,7 @@ fn unusable_rays_and_patches_are_refused() {
     assert!(!dome.is_hit_by(&Ray::new(good.origin, [0.0; 3])));
     assert!(!dome.is_hit_by(&good.after(f64::NAN)) && !dome.is_hit_by(&good.until(f64::NAN)));
     let made = |degrees, control_points| {
-        BezierPatch::<Point>::new(bspline::BezierPatch {
+        PatchIntersector::<Point>::new(bspline::BezierPatch {
             domain: [[0.0, 1.0]; 2],
             degrees,
             control_points,

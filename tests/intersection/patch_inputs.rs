@@ -2,7 +2,7 @@
 
 use facette::algebra::{Real, VectorSpace};
 use facette::bspline;
-use facette::intersection::BezierPatch;
+use facette::intersection::PatchIntersector;
 use facette::ray::Ray;
 use proptest::prelude::*;
 
@@ -20,8 +20,11 @@ pub struct ThroughAPoint {
 }
 
 /// The patch of these control points over the unit square.
-pub fn patch<S: Real>(degrees: [usize; 2], control_points: Vec<[S; 3]>) -> BezierPatch<[S; 3]> {
-    BezierPatch::new(bspline::BezierPatch {
+pub fn patch<S: Real>(
+    degrees: [usize; 2],
+    control_points: Vec<[S; 3]>,
+) -> PatchIntersector<[S; 3]> {
+    PatchIntersector::new(bspline::BezierPatch {
         domain: [[S::zero(), S::one()]; 2],
         degrees,
         control_points,
@@ -34,7 +37,7 @@ impl ThroughAPoint {
         self.sixteenths.map(|sixteenth| f64::from(sixteenth) / 16.0)
     }
 
-    pub fn patch<S: Real>(&self) -> BezierPatch<[S; 3]> {
+    pub fn patch<S: Real>(&self) -> PatchIntersector<[S; 3]> {
         let points = self.control_points.iter();
         let points = points.map(|point| point.map(S::from_i32)).collect();
         patch(self.degrees, points)

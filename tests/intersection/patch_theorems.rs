@@ -4,7 +4,7 @@ use std::cell::Cell;
 
 use facette::algebra::{Real, Vector3, VectorSpace, length};
 use facette::bspline::{BsplineSurface, KnotVector};
-use facette::intersection::{BezierPatch, Hit, Intersect, nearest};
+use facette::intersection::{Hit, Intersect, PatchIntersector, nearest};
 use facette::ray::Ray;
 use facette::surface::Surface;
 use proptest::prelude::*;
@@ -269,7 +269,7 @@ fn no_ray_slips_between_the_pieces_of_a_surface() {
         |(k, &height): (usize, &i32)| [(k % 6) as f64, (k / 6) as f64, f64::from(height) / 4.0];
     let points = heights.iter().enumerate().map(point).collect();
     let surface = BsplineSurface::new([knots.clone(), knots], points).expect("a net of 6 x 6");
-    let pieces = BezierPatch::pieces_of(&surface).expect("of degree 2");
+    let pieces = PatchIntersector::pieces_of(&surface).expect("of degree 2");
     assert_eq!(pieces.len(), 9);
     let on_a_seam = (
         prop::sample::select(vec![1.0, 2.0]),

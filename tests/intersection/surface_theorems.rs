@@ -3,7 +3,7 @@
 use facette::algebra::{Vector3, VectorSpace, length};
 use facette::bspline::BsplineSurface;
 use facette::intersection::hierarchy::Hierarchy;
-use facette::intersection::{BezierPatch, Intersect};
+use facette::intersection::{Intersect, PatchIntersector};
 use facette::ray::Ray;
 use facette::surface::Surface;
 use facette::tessellation::{Tessellation, tessellate};
@@ -43,7 +43,7 @@ fn as_graph(mut input: ThroughAPoint) -> ThroughAPoint {
 }
 
 /// The largest of `|f_x| + |f_y|`, from differences of control points.
-fn steepness(patch: &BezierPatch<Point>) -> f64 {
+fn steepness(patch: &PatchIntersector<Point>) -> f64 {
     let points = patch.surface().control_points();
     let heights = points.iter().map(|p| p[2]);
     let [low, high] = [

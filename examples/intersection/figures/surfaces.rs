@@ -4,7 +4,7 @@ use facette::algebra::VectorSpace;
 use facette::bspline::{BsplineSurface, KnotVector};
 use facette::camera::{Camera, CameraFrame, ImageSize};
 use facette::intersection::hierarchy::{Hierarchy, HierarchyError};
-use facette::intersection::{BezierPatch, nearest};
+use facette::intersection::{PatchIntersector, nearest};
 use facette::mesh::Mesh;
 use facette::ray::Ray;
 use facette::tessellation::{Tessellation, tessellate};
@@ -114,7 +114,7 @@ fn of_triangles(tolerance: f64, exact_normals: bool) -> Picture {
 
 /// What triangles lose, and what normals hide.
 pub fn silhouette() -> Figure {
-    let pieces = BezierPatch::pieces_of(&sheet()).expect("a bicubic surface");
+    let pieces = PatchIntersector::pieces_of(&sheet()).expect("a bicubic surface");
     let direct = picture(|ray| nearest(&pieces, ray).map(|(_, hit)| hit.normal));
     let drawing = panels(
         2,
@@ -137,7 +137,7 @@ pub fn silhouette() -> Figure {
 /// The largest error in t against the number of triangles.
 pub fn error_against_triangles() -> Figure {
     let surface = sheet();
-    let pieces = BezierPatch::pieces_of(&surface).expect("a bicubic surface");
+    let pieces = PatchIntersector::pieces_of(&surface).expect("a bicubic surface");
     let rays: Vec<Ray<DVec3>> = (0..900)
         .map(|k| {
             let [x, y] = [k % 30, k / 30].map(|i| f64::from(i) / 7.5 - 1.93);

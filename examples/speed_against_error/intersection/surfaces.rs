@@ -2,7 +2,7 @@
 
 use facette::algebra::{Real, VectorSpace};
 use facette::intersection::hierarchy::Hierarchy;
-use facette::intersection::{BezierPatch, Hit, Intersect, Sphere, leaving};
+use facette::intersection::{Hit, Intersect, PatchIntersector, Sphere, leaving};
 use facette::ray::Ray;
 use facette::tessellation::tessellate;
 use glam::{DVec3, Vec3};
@@ -49,7 +49,7 @@ fn meetings(count: usize) -> Vec<ThroughAPoint> {
 }
 
 fn directly<S: Real>(cases: &[ThroughAPoint]) -> impl FnMut(&mut [Option<Answer>]) + use<S> {
-    let patch: BezierPatch<[S; 3]> = cases[0].patch();
+    let patch: PatchIntersector<[S; 3]> = cases[0].patch();
     let rays: Vec<Ray<[S; 3]>> = cases
         .iter()
         .map(|case| {
@@ -68,7 +68,7 @@ fn as_triangles(
     cases: &[ThroughAPoint],
     tolerance: f64,
 ) -> impl FnMut(&mut [Option<Answer>]) + use<> {
-    let patch: BezierPatch<[f64; 3]> = cases[0].patch();
+    let patch: PatchIntersector<[f64; 3]> = cases[0].patch();
     let mesh = tessellate(patch.surface(), tolerance)
         .expect("a usable tolerance")
         .mesh;
@@ -99,7 +99,7 @@ fn bicubic_patch(count: usize, visitor: &mut Visitor<'_>) {
         };
         cases.iter().map(|case| Some(truth(case))).collect()
     });
-    let patch: BezierPatch<[f64; 3]> = cases[0].patch();
+    let patch: PatchIntersector<[f64; 3]> = cases[0].patch();
     let rays: Vec<_> = cases.iter().map(ThroughAPoint::ray).collect();
     let comparison = Comparison::new("bicubic patch", "typical", count)
         .answers(

@@ -85,7 +85,7 @@ pub enum PatchError {
     Patch(#[from] BsplineError<f64>),
 }
 
-/// A tensor-product Bézier patch of any degrees from 1 on, as rays meet it.
+/// A tensor-product Bézier patch of any degrees from 1 on, prepared to be met by rays: a [`bspline::BezierPatch`] is the data, this asks the questions.
 ///
 /// # Accuracy
 ///
@@ -107,11 +107,11 @@ pub enum PatchError {
 ///
 /// ```
 /// use facette::bspline;
-/// use facette::intersection::{BezierPatch, Intersect};
+/// use facette::intersection::{PatchIntersector, Intersect};
 /// use facette::ray::Ray;
 ///
 /// // The saddle z = x y over the unit square.
-/// let saddle = BezierPatch::new(bspline::BezierPatch {
+/// let saddle = PatchIntersector::new(bspline::BezierPatch {
 ///     domain: [[0.0, 1.0]; 2],
 ///     degrees: [1, 1],
 ///     control_points: vec![[0., 0., 0.], [1., 0., 0.], [0., 1., 0.], [1., 1., 1.]],
@@ -122,14 +122,14 @@ pub enum PatchError {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug)]
-pub struct BezierPatch<P> {
+pub struct PatchIntersector<P> {
     surface: BsplineSurface<[f64; 3]>,
     degrees: [usize; 2],
     point_error: f64,
     points: PhantomData<P>,
 }
 
-impl<P: Vector3<Scalar: Real>> BezierPatch<P> {
+impl<P: Vector3<Scalar: Real>> PatchIntersector<P> {
     /// The patch of these control points over this domain.
     ///
     /// # Errors
@@ -162,7 +162,7 @@ impl<P: Vector3<Scalar: Real>> BezierPatch<P> {
     ///
     /// # Errors
     ///
-    /// As [`BezierPatch::new`].
+    /// As [`PatchIntersector::new`].
     pub fn pieces_of(surface: &BsplineSurface<P>) -> Result<Vec<Self>, PatchError> {
         surface
             .bezier_patches()
@@ -238,7 +238,7 @@ fn coordinates<P: Vector3<Scalar: Real>>(point: P) -> [f64; 3] {
     [0, 1, 2].map(|axis| point.coordinate(axis).to_f64())
 }
 
-impl<P: Vector3<Scalar: Real>> Intersect for BezierPatch<P> {
+impl<P: Vector3<Scalar: Real>> Intersect for PatchIntersector<P> {
     type Point = P;
 
     fn intersect(&self, ray: &Ray<P>) -> Option<Hit<P>> {
