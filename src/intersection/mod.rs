@@ -22,7 +22,7 @@
 //! # Numerics
 //!
 //! Every hit says how wrong it may be: [`Hit::t_error`] and [`Hit::point_error`] are bounds that the surfaces derive, and the tests hold them
-//! to. A ray that [leaves](leaving) a hit starts where the second of them ends.
+//! to. A ray that [leaves](spawn_ray) a hit starts where the second of them ends.
 //!
 //! # Sources
 //!
@@ -51,7 +51,7 @@ pub use bounding_box::{BoundingBox, BoxSpan, FaceHit, SlabRay, box_interval};
 pub use error::IntersectionError;
 pub use group::{Group, nearest};
 pub use hit::{FacetHit, Hit, Side};
-pub use offset::{leaving, towards};
+pub use offset::{spawn_ray, spawn_ray_to};
 pub use plane::Plane;
 pub use sphere::{Sphere, first_root, roots_by_projection, roots_by_quadratic};
 

@@ -59,24 +59,24 @@ const REACHES: i32 = 2;
 /// # Examples
 ///
 /// ```
-/// use facette::intersection::{Intersect, Sphere, leaving};
+/// use facette::intersection::{Intersect, Sphere, spawn_ray};
 /// use facette::ray::Ray;
 ///
 /// let planet = Sphere::new([0.0, 0.0, -1e7], 1e7)?;
 /// let hit = planet.intersect(&Ray::new([3.0, 4.0, 9.0], [0.0, 0.0, -1.0])).expect("it is below");
-/// let up = leaving(&hit, [1.0, 0.0, 0.01]);
+/// let up = spawn_ray(&hit, [1.0, 0.0, 0.01]);
 /// assert!(!planet.is_hit_by(&up));
 /// assert!(up.origin[2] - hit.point[2] < 1e-7);
 /// # Ok::<(), facette::intersection::IntersectionError<f64>>(())
 /// ```
-// ANCHOR: leaving
-pub fn leaving<P>(hit: &Hit<P>, direction: P) -> Ray<P>
+// ANCHOR: spawn_ray
+pub fn spawn_ray<P>(hit: &Hit<P>, direction: P) -> Ray<P>
 where
     P: Vector3<Scalar: Real>,
 {
     Ray::new(offset_point(hit, direction), direction)
 }
-// ANCHOR_END: leaving
+// ANCHOR_END: spawn_ray
 
 /// The segment from a hit to a point, such as a lamp, without the point itself: what a shadow ray is.
 ///
@@ -85,24 +85,24 @@ where
 ///
 /// # Accuracy
 ///
-/// As [`leaving`]. What is met at a true t of 1 may be found before it, where its `t_error` allows that.
+/// As [`spawn_ray`]. What is met at a true t of 1 may be found before it, where its `t_error` allows that.
 ///
 /// # Examples
 ///
 /// ```
-/// use facette::intersection::{Intersect, Plane, towards};
+/// use facette::intersection::{Intersect, Plane, spawn_ray_to};
 /// use facette::ray::Ray;
 ///
 /// let floor = Plane::new([0.0, 0.0, 0.0], [0.0, 0.0, 1.0])?;
 /// let ceiling = Plane::new([0.0, 0.0, 3.0], [0.0, 0.0, -1.0])?;
 /// let hit = floor.intersect(&Ray::new([1.0, 0.0, 2.0], [0.0, 0.0, -1.0])).expect("it falls");
 /// let lamp = [0.0, 0.0, 3.0]; // in the ceiling
-/// let shadow_ray = towards(&hit, lamp);
+/// let shadow_ray = spawn_ray_to(&hit, lamp);
 /// assert!(!floor.is_hit_by(&shadow_ray) && !ceiling.is_hit_by(&shadow_ray));
 /// # Ok::<(), facette::intersection::IntersectionError<f64>>(())
 /// ```
-// ANCHOR: towards
-pub fn towards<P>(hit: &Hit<P>, point: P) -> Ray<P>
+// ANCHOR: spawn_ray_to
+pub fn spawn_ray_to<P>(hit: &Hit<P>, point: P) -> Ray<P>
 where
     P: Vector3<Scalar: Real>,
 {
@@ -110,7 +110,7 @@ where
     let before_one = P::Scalar::one() - P::Scalar::unit_roundoff();
     Ray::new(origin, point.minus(origin)).until(before_one)
 }
-// ANCHOR_END: towards
+// ANCHOR_END: spawn_ray_to
 
 /// The point of a hit, moved off the surface to the side that `direction` points to.
 // ANCHOR: offset_point

@@ -2,7 +2,7 @@
 
 use facette::algebra::{Real, Vector3, VectorSpace, unit_vector};
 use facette::intersection::triangle::Triangle;
-use facette::intersection::{Hit, Intersect, Plane, Side, Sphere, leaving};
+use facette::intersection::{Hit, Intersect, Plane, Side, Sphere, spawn_ray};
 use facette::ray::Ray;
 use num_traits::{Signed, ToPrimitive};
 
@@ -124,7 +124,7 @@ fn fixed_epsilon_fails_at_both_ends() {
         "right in the middle: {one:?}"
     );
     for scale in SCALES {
-        let ours = count::<f64>(scale, POINTS, |_, hit, d| leaving(hit, d));
+        let ours = count::<f64>(scale, POINTS, |_, hit, d| spawn_ray(hit, d));
         assert_eq!([ours.acne, ours.leaks], [0, 0], "at {scale}: {ours:?}");
     }
 }
@@ -137,7 +137,7 @@ fn single_precision_has_no_epsilon_for_all() {
         let fixed = count::<f32>(scale, POINTS, |arriving, hit, d| {
             by_epsilon(arriving, hit, d, 1e-3)
         });
-        let ours = count::<f32>(scale, POINTS, |_, hit, d| leaving(hit, d));
+        let ours = count::<f32>(scale, POINTS, |_, hit, d| spawn_ray(hit, d));
         println!("{scale}: fixed {fixed:?}, ours {ours:?}");
         assert_eq!(ours.acne, 0, "at {scale}");
         assert!(scale > 1e3 || ours.leaks == 0, "at {scale}: {ours:?}");
@@ -158,7 +158,7 @@ fn single_precision_has_no_epsilon_for_all() {
 fn integer_offset_knows_nothing_of_the_error() {
     let tiny = count::<f32>(1e-4, POINTS, |_, hit, d| by_integer_offset(hit, d));
     assert_eq!(tiny.leaks, tiny.of, "{tiny:?}");
-    let ours = count::<f32>(1e-4, POINTS, |_, hit, d| leaving(hit, d));
+    let ours = count::<f32>(1e-4, POINTS, |_, hit, d| spawn_ray(hit, d));
     assert_eq!([ours.acne, ours.leaks], [0, 0]);
 
     let [mut acne, mut ours, mut of] = [0, 0, 0];
@@ -173,7 +173,7 @@ fn integer_offset_knows_nothing_of_the_error() {
         of += 1;
         let out = unit_vector(n.plus(direction(k + 31).times(0.9))).expect("not 0");
         acne += u32::from(sphere.is_hit_by(&by_integer_offset(&hit, to(out))));
-        ours += u32::from(sphere.is_hit_by(&leaving(&hit, to(out))));
+        ours += u32::from(sphere.is_hit_by(&spawn_ray(&hit, to(out))));
     }
     println!("{acne} of {of} meet the large sphere again, {ours} by the bound");
     assert!(
@@ -227,18 +227,18 @@ fn odd_departures_are_defined() {
     for (ray, side) in [(down, Side::Front), (up, Side::Back)] {
         let hit = plane.intersect(&ray).expect("it is met");
         assert_eq!(hit.side, side);
-        let along = leaving(&hit, [1.0, 0.0, 0.0]);
+        let along = spawn_ray(&hit, [1.0, 0.0, 0.0]);
         assert_eq!(along.origin[2] > 1.0, side == Side::Front);
         let exact = Hit {
             point_error: 0.0,
             ..hit
         };
-        let moved = leaving(&exact, [0.0, 0.0, -1.0]).origin[2];
+        let moved = spawn_ray(&exact, [0.0, 0.0, -1.0]).origin[2];
         assert!((1.0 - f64::EPSILON..1.0).contains(&moved));
-        let nan = leaving(&hit, [f64::NAN; 3]);
+        let nan = spawn_ray(&hit, [f64::NAN; 3]);
         assert!(!plane.is_hit_by(&nan));
         // Refracted: through the surface, from the other side of it.
-        let through = leaving(&hit, ray.direction);
+        let through = spawn_ray(&hit, ray.direction);
         assert!(!plane.is_hit_by(&through));
     }
 }
@@ -249,8 +249,8 @@ fn odd_departures_are_defined() {
 fn million_rays_leave_without_meeting_their_facet() {
     let [mut of, mut acne] = [0, 0];
     for scale in SCALES {
-        let double = count::<f64>(scale, 100 * POINTS, |_, hit, d| leaving(hit, d));
-        let single = count::<f32>(scale, 100 * POINTS, |_, hit, d| leaving(hit, d));
+        let double = count::<f64>(scale, 100 * POINTS, |_, hit, d| spawn_ray(hit, d));
+        let single = count::<f32>(scale, 100 * POINTS, |_, hit, d| spawn_ray(hit, d));
         of += double.of + single.of;
         acne += double.acne + single.acne;
         assert_eq!(double.leaks, 0, "at {scale}");

@@ -3,7 +3,7 @@
 use std::cell::Cell;
 
 use facette::algebra::{Real, Vector3, VectorSpace, length, unit_vector};
-use facette::intersection::{Hit, Intersect, Plane, leaving, towards};
+use facette::intersection::{Hit, Intersect, Plane, spawn_ray, spawn_ray_to};
 use facette::ray::Ray;
 use proptest::prelude::*;
 
@@ -22,7 +22,7 @@ fn leaves<S: Real>(departure: &Departure, missed: &Cell<u32>) -> Verdict {
     let Some(hit) = arrival::<S>(departure, missed) else {
         return Ok(());
     };
-    let ray = leaving(&hit, departure.direction(&hit));
+    let ray = spawn_ray(&hit, departure.direction(&hit));
     match departure.facet::<S>(0.0).intersect(&ray) {
         None => Ok(()),
         Some(again) => Err(Broken {
@@ -32,7 +32,7 @@ fn leaves<S: Real>(departure: &Departure, missed: &Cell<u32>) -> Verdict {
     }
 }
 
-/// **What is left is not met again.** A ray that leaves a hit point by `leaving` does not meet the facet that it leaves: a plane or a triangle, to either side; a sphere or a dome of a Bézier patch, to the outside. In scenes
+/// **What is left is not met again.** A ray that leaves a hit point by `spawn_ray` does not meet the facet that it leaves: a plane or a triangle, to either side; a sphere or a dome of a Bézier patch, to the outside. In scenes
 /// from $10^{-3}$ to $10^7$ units, with facets from a thousandth of the scene to all of it, and from there or from a thousand times as far, in both precisions.
 ///
 /// A point $x$ of the facet lies within $e$ of the computed point $\hat x$ in every coordinate, so $|n\cdot(\hat x-x)|\le e\,|n|_1$ with $|n|_1=|n_x|+|n_y|+|n_z|$. The origin $\hat x+2e|n|_1n$ is thus at least
@@ -72,7 +72,7 @@ fn sees<S: Real>(departure: &Departure, missed: &Cell<u32>) -> Verdict {
     };
     let gap = errors * hit.point_error.to_f64();
     let above = departure.facet::<S>(gap);
-    let ray = leaving(&hit, hit.normal);
+    let ray = spawn_ray(&hit, hit.normal);
     match above.intersect(&ray) {
         Some(seen) if seen.t.to_f64() <= 2.0 * gap => Ok(()),
         other => Err(Broken {
@@ -115,7 +115,7 @@ fn is_near<S: Real>(departure: &Departure, missed: &Cell<u32>, largest: &Cell<f6
     let Some(hit) = arrival::<S>(departure, missed) else {
         return Ok(());
     };
-    let origin = leaving(&hit, departure.direction(&hit)).origin;
+    let origin = spawn_ray(&hit, departure.direction(&hit)).origin;
     let offset = origin.map(S::to_f64).minus(hit.point.map(S::to_f64));
     let error = hit.point_error.to_f64();
     let ulps = 2.0 * S::unit_roundoff().to_f64() * hit.point.map(S::to_f64).largest_coordinate();
@@ -143,7 +143,7 @@ fn offset_is_at_most_four_point_errors_and_three_units() {
     assert!(largest_part.get() >= 0.5);
 }
 
-/// **A shadow ray ends before its lamp.** `towards` runs from a hit to a point, over $0<t<1$. A wall that the lamp itself hangs in does not darken it, when its hit comes out at $t=1$; a wall anywhere between does; one behind does not.
+/// **A shadow ray ends before its lamp.** `spawn_ray_to` runs from a hit to a point, over $0<t<1$. A wall that the lamp itself hangs in does not darken it, when its hit comes out at $t=1$; a wall anywhere between does; one behind does not.
 ///
 /// Course: R04, slide 93, a shadow ray needs t < 1 as well.
 #[test]
@@ -166,7 +166,7 @@ fn shadow_ray_ends_before_its_lamp() {
             let floor = plane(0.0);
             let down = Ray::new([0.0, 0.0, 7.0], [0.0, 0.0, -1.0]);
             let hit = floor.intersect(&down).expect("it falls on the floor");
-            let ray = towards(&hit, [x, y, height]);
+            let ray = spawn_ray_to(&hit, [x, y, height]);
             let is_dark = |z: f64| plane(z).is_hit_by(&ray);
             let found = [
                 is_dark(0.0),
@@ -210,7 +210,7 @@ fn ray_inside_a_sphere_crosses_to_the_other_side() {
         }
         let far = departure
             .facet::<f64>(0.0)
-            .intersect(&leaving(&hit, direction));
+            .intersect(&spawn_ray(&hit, direction));
         let Some(far) = far else {
             return Err(Broken {
                 expected: format!("a hit at {chord}"),

@@ -1,7 +1,7 @@
 //! Figures of hit points: acne, leaks, and the box that a hit point lies in.
 
 use facette::camera::{Camera, CameraFrame, ImageSize};
-use facette::intersection::{Group, Hit, Intersect, Plane, Sphere, leaving, towards};
+use facette::intersection::{Group, Hit, Intersect, Plane, Sphere, spawn_ray, spawn_ray_to};
 use facette::ray::Ray;
 use facette_figure::Figure;
 use facette_figure::palette::Colour;
@@ -35,7 +35,7 @@ fn in_shadow_by_epsilon(lit: &Lit, epsilon: f64) -> bool {
 }
 
 fn in_shadow_by_bound(lit: &Lit) -> bool {
-    lit.scene.is_hit_by(&towards(&lit.hit, lit.lamp))
+    lit.scene.is_hit_by(&spawn_ray_to(&lit.hit, lit.lamp))
 }
 
 /// The ball and its shadow, in a scene of this size.
@@ -231,7 +231,7 @@ pub fn offset_against_scale() -> Figure {
         let hit = sphere
             .intersect(&ray)
             .expect("the ray is aimed at the ball");
-        leaving(&hit, hit.normal).origin.distance(hit.point)
+        spawn_ray(&hit, hit.normal).origin.distance(hit.point)
     };
     let plot = Plot::new("", "size of the scene (units)", "length (units)")
         .log_x()

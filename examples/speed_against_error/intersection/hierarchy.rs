@@ -2,7 +2,7 @@
 
 use facette::intersection::hierarchy::{Found, Hierarchy, Query, nearest_by_loop};
 use facette::intersection::triangle::moller_trumbore;
-use facette::intersection::{Hit, leaving, towards};
+use facette::intersection::{Hit, spawn_ray, spawn_ray_to};
 use facette::ray::Ray;
 use glam::Vec3;
 
@@ -123,7 +123,7 @@ impl Scene {
             .collect();
         let bounces = self.hits(&from_inside).map(|hit| {
             // A point of the unit sphere on top of the normal: Lambert's cosine.
-            leaving(&hit, draws.direction() * 0.999 - hit.normal)
+            spawn_ray(&hit, draws.direction() * 0.999 - hit.normal)
         });
         bounces.collect()
     }
@@ -131,7 +131,10 @@ impl Scene {
     /// From what the camera sees to a lamp, as often as there are rays.
     fn shadow_rays(&self, camera: &[Ray<Vec3>]) -> Vec<Ray<Vec3>> {
         let lamp = Vec3::new(3.0, -1.0, 2.0);
-        let seen: Vec<_> = self.hits(camera).map(|hit| towards(&hit, lamp)).collect();
+        let seen: Vec<_> = self
+            .hits(camera)
+            .map(|hit| spawn_ray_to(&hit, lamp))
+            .collect();
         seen.iter().copied().cycle().take(camera.len()).collect()
     }
 }

@@ -2,7 +2,7 @@
 
 use facette::algebra::{Real, VectorSpace};
 use facette::intersection::hierarchy::Hierarchy;
-use facette::intersection::{Hit, Intersect, PatchIntersector, Sphere, leaving};
+use facette::intersection::{Hit, Intersect, PatchIntersector, Sphere, spawn_ray};
 use facette::ray::Ray;
 use facette::tessellation::tessellate;
 use glam::{DVec3, Vec3};
@@ -181,7 +181,7 @@ fn departures(inputs: &'static str, scale: f64, count: usize, visitor: &mut Visi
         .answers(
             ["by the bound", "f64"],
             &truths,
-            leave::<f64>(scale, count, |_, hit, d| leaving(hit, d)),
+            leave::<f64>(scale, count, |_, hit, d| spawn_ray(hit, d)),
         )
         .answers(
             ["t > 1e-3", "f32"],
@@ -196,7 +196,7 @@ fn departures(inputs: &'static str, scale: f64, count: usize, visitor: &mut Visi
         .answers(
             ["by the bound", "f32"],
             &truths,
-            leave::<f32>(scale, count, |_, hit, d| leaving(hit, d)),
+            leave::<f32>(scale, count, |_, hit, d| spawn_ray(hit, d)),
         );
     visitor(comparison);
 }
