@@ -19,10 +19,12 @@
 //! A hierarchy holds triangles only. Other surfaces stand beside it in a [`Group`], or enter it as the triangles of a
 //! [tessellation](crate::tessellation).
 //!
+//! A surface with a theory of its own is a public module, and its names are found there only. The plain shapes, and what all share, are found here.
+//!
 //! # Numerics
 //!
 //! Every hit says how wrong it may be: [`Hit::t_error`] and [`Hit::point_error`] are bounds that the surfaces derive, and the tests hold them
-//! to. A ray that [leaves](spawn_ray) a hit starts where the second of them ends.
+//! to. A ray that [leaves](offset::spawn_ray) a hit starts where the second of them ends.
 //!
 //! # Sources
 //!
@@ -40,18 +42,16 @@ pub mod fan;
 mod group;
 pub mod hierarchy;
 mod hit;
-mod offset;
+pub mod offset;
 mod plane;
 pub mod quadrilateral;
 mod sphere;
 pub mod triangle;
 
-pub use bezier_patch::{CELL_LIMIT, EDGE_ON, PatchError, PatchIntersector};
 pub use bounding_box::{BoundingBox, BoxSpan, FaceHit, SlabRay, box_interval};
 pub use error::IntersectionError;
 pub use group::{Group, nearest};
 pub use hit::{FacetHit, Hit, Side};
-pub use offset::{spawn_ray, spawn_ray_to};
 pub use plane::Plane;
 pub use sphere::{Sphere, first_root, roots_by_projection, roots_by_quadratic};
 

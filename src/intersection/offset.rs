@@ -59,7 +59,8 @@ const REACHES: i32 = 2;
 /// # Examples
 ///
 /// ```
-/// use facette::intersection::{Intersect, Sphere, spawn_ray};
+/// use facette::intersection::offset::spawn_ray;
+/// use facette::intersection::{Intersect, Sphere};
 /// use facette::ray::Ray;
 ///
 /// let planet = Sphere::new([0.0, 0.0, -1e7], 1e7)?;
@@ -90,7 +91,8 @@ where
 /// # Examples
 ///
 /// ```
-/// use facette::intersection::{Intersect, Plane, spawn_ray_to};
+/// use facette::intersection::offset::spawn_ray_to;
+/// use facette::intersection::{Intersect, Plane};
 /// use facette::ray::Ray;
 ///
 /// let floor = Plane::new([0.0, 0.0, 0.0], [0.0, 0.0, 1.0])?;

@@ -2,8 +2,9 @@
 
 use facette::algebra::{Real, Vector3, VectorSpace, unit_vector};
 use facette::bspline;
+use facette::intersection::bezier_patch::PatchIntersector;
 use facette::intersection::triangle::Triangle;
-use facette::intersection::{Hit, Intersect, PatchIntersector, Plane, Sphere};
+use facette::intersection::{Hit, Intersect, Plane, Sphere};
 use facette::ray::Ray;
 use proptest::prelude::*;
 

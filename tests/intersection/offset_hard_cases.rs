@@ -1,8 +1,9 @@
 //! Rays that meet what they leave, or pass through what is in front. The book shows their doc comments.
 
 use facette::algebra::{Real, Vector3, VectorSpace, unit_vector};
+use facette::intersection::offset::spawn_ray;
 use facette::intersection::triangle::Triangle;
-use facette::intersection::{Hit, Intersect, Plane, Side, Sphere, spawn_ray};
+use facette::intersection::{Hit, Intersect, Plane, Side, Sphere};
 use facette::ray::Ray;
 use num_traits::{Signed, ToPrimitive};
 

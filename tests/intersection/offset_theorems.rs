@@ -3,7 +3,8 @@
 use std::cell::Cell;
 
 use facette::algebra::{Real, Vector3, VectorSpace, length, unit_vector};
-use facette::intersection::{Hit, Intersect, Plane, spawn_ray, spawn_ray_to};
+use facette::intersection::offset::{spawn_ray, spawn_ray_to};
+use facette::intersection::{Hit, Intersect, Plane};
 use facette::ray::Ray;
 use proptest::prelude::*;
 

@@ -4,7 +4,8 @@ use std::time::{Duration, Instant};
 
 use facette::algebra::VectorSpace;
 use facette::bspline::{self, BsplineError};
-use facette::intersection::{Hit, Intersect, PatchError, PatchIntersector, Side};
+use facette::intersection::bezier_patch::{PatchError, PatchIntersector};
+use facette::intersection::{Hit, Intersect, Side};
 use facette::ray::Ray;
 
 use crate::patch_inputs::{patch, wild};

@@ -2,7 +2,7 @@
 
 use facette::algebra::{Real, VectorSpace};
 use facette::bspline;
-use facette::intersection::PatchIntersector;
+use facette::intersection::bezier_patch::PatchIntersector;
 use facette::ray::Ray;
 use proptest::prelude::*;
 

@@ -4,7 +4,8 @@ use std::cell::Cell;
 
 use facette::algebra::{Real, Vector3, VectorSpace, length};
 use facette::bspline::{BsplineSurface, KnotVector};
-use facette::intersection::{Hit, Intersect, PatchIntersector, nearest};
+use facette::intersection::bezier_patch::PatchIntersector;
+use facette::intersection::{Hit, Intersect, nearest};
 use facette::ray::Ray;
 use facette::surface::Surface;
 use proptest::prelude::*;

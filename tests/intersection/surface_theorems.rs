@@ -2,8 +2,9 @@
 
 use facette::algebra::{Vector3, VectorSpace, length};
 use facette::bspline::BsplineSurface;
+use facette::intersection::Intersect;
+use facette::intersection::bezier_patch::PatchIntersector;
 use facette::intersection::hierarchy::Hierarchy;
-use facette::intersection::{Intersect, PatchIntersector};
 use facette::ray::Ray;
 use facette::surface::Surface;
 use facette::tessellation::{Tessellation, tessellate};

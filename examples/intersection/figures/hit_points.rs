@@ -1,7 +1,8 @@
 //! Figures of hit points: acne, leaks, and the box that a hit point lies in.
 
 use facette::camera::{Camera, CameraFrame, ImageSize};
-use facette::intersection::{Group, Hit, Intersect, Plane, Sphere, spawn_ray, spawn_ray_to};
+use facette::intersection::offset::{spawn_ray, spawn_ray_to};
+use facette::intersection::{Group, Hit, Intersect, Plane, Sphere};
 use facette::ray::Ray;
 use facette_figure::Figure;
 use facette_figure::palette::Colour;

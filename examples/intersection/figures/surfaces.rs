@@ -3,8 +3,9 @@
 use facette::algebra::VectorSpace;
 use facette::bspline::{BsplineSurface, KnotVector};
 use facette::camera::{Camera, CameraFrame, ImageSize};
+use facette::intersection::bezier_patch::PatchIntersector;
 use facette::intersection::hierarchy::{Hierarchy, HierarchyError};
-use facette::intersection::{PatchIntersector, nearest};
+use facette::intersection::nearest;
 use facette::mesh::Mesh;
 use facette::ray::Ray;
 use facette::tessellation::{Tessellation, tessellate};

@@ -1,8 +1,9 @@
 //! The hierarchy of boxes: four kinds of rays at meshes of a hundred to a million triangles, alone and side by side; the loop; the building.
 
+use facette::intersection::Hit;
 use facette::intersection::hierarchy::{Found, Hierarchy, Query, nearest_by_loop};
+use facette::intersection::offset::{spawn_ray, spawn_ray_to};
 use facette::intersection::triangle::moller_trumbore;
-use facette::intersection::{Hit, spawn_ray, spawn_ray_to};
 use facette::ray::Ray;
 use glam::Vec3;
 

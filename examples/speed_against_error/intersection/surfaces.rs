@@ -1,8 +1,10 @@
 //! A bicubic patch, directly and as triangles; and rays that leave what they met.
 
 use facette::algebra::{Real, VectorSpace};
+use facette::intersection::bezier_patch::PatchIntersector;
 use facette::intersection::hierarchy::Hierarchy;
-use facette::intersection::{Hit, Intersect, PatchIntersector, Sphere, spawn_ray};
+use facette::intersection::offset::spawn_ray;
+use facette::intersection::{Hit, Intersect, Sphere};
 use facette::ray::Ray;
 use facette::tessellation::tessellate;
 use glam::{DVec3, Vec3};

@@ -107,7 +107,8 @@ pub enum PatchError {
 ///
 /// ```
 /// use facette::bspline;
-/// use facette::intersection::{PatchIntersector, Intersect};
+/// use facette::intersection::bezier_patch::PatchIntersector;
+/// use facette::intersection::Intersect;
 /// use facette::ray::Ray;
 ///
 /// // The saddle z = x y over the unit square.
