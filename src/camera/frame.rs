@@ -135,15 +135,15 @@ impl<P: Vector3> CameraFrame<P> {
             check_finite(what, value)?;
         }
         let back = unit_vector(difference(eye, target)).ok_or(CameraError::EyeAtTarget {
-            eye: coordinates(eye),
+            eye: eye.coordinates(),
         })?;
         if up.largest_coordinate().is_zero() {
-            let up = coordinates(up);
+            let up = up.coordinates();
             return Err(CameraError::UpIsZero { up });
         }
         let axes = look_at_axes(eye, target, up).ok_or(CameraError::UpAlongView {
-            up: coordinates(up),
-            view: coordinates(P::origin().minus(back)),
+            up: up.coordinates(),
+            view: P::origin().minus(back).coordinates(),
         })?;
         Ok(Self { eye, axes })
     }
@@ -207,17 +207,13 @@ impl<P: Vector3> CameraFrame<P> {
     }
 }
 
-fn coordinates<P: Vector3>(point: P) -> [P::Scalar; 3] {
-    [0, 1, 2].map(|index| point.coordinate(index))
-}
-
 fn check_finite<P: Vector3>(what: &'static str, value: P) -> Result<(), CameraError<P::Scalar>> {
     if value.has_finite_coordinates() {
         return Ok(());
     }
     Err(CameraError::PointNotFinite {
         what,
-        value: coordinates(value),
+        value: value.coordinates(),
     })
 }
 

@@ -55,7 +55,7 @@ impl<S: Scalar> IntersectionError<S> {
         }
         Err(Self::NotFinite {
             what,
-            coordinates: [0, 1, 2].map(|axis| vector.coordinate(axis)),
+            coordinates: vector.coordinates(),
         })
     }
 }

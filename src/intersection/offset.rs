@@ -130,7 +130,7 @@ where
     } else {
         P::origin().minus(hit.normal)
     };
-    let n = [0, 1, 2].map(|axis| n.coordinate(axis));
+    let n = n.coordinates();
     let reach = hit.point_error * (n[0].magnitude() + n[1].magnitude() + n[2].magnitude());
     let delta = P::Scalar::from_i32(REACHES) * reach;
     P::from_coordinates([0, 1, 2].map(|axis| {

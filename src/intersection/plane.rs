@@ -124,8 +124,7 @@ where
 
 /// `Σ |a_k b_k|`, what the rounding of `a · b` is proportional to.
 fn absolute_dot<P: Vector3>(a: P, b: P) -> P::Scalar {
-    let absolute = |v: P| P::from_coordinates([0, 1, 2].map(|axis| v.coordinate(axis).magnitude()));
-    absolute(a).dot(absolute(b))
+    a.absolute().dot(b.absolute())
 }
 
 impl<P> Intersect for Plane<P>

@@ -243,7 +243,7 @@ impl<P: Vector3<Scalar: Real>> Seen<P> {
             g,
             k: opposite.minus(e),
             end: [b, end],
-            k_size: sizes(opposite).plus(sizes(e)),
+            k_size: opposite.absolute().plus(e.absolute()),
             direction: in_its_unit(ray.direction),
             length,
             per_speed: P::Scalar::one() / ray.direction.largest_coordinate().power_of_two(),
@@ -347,9 +347,9 @@ impl<P: Vector3<Scalar: Real>> Seen<P> {
         let [one, four] = [1, 4].map(P::Scalar::from_i32);
         let unit = P::Scalar::unit_roundoff();
         let spread = self.k_size;
-        let s_u = sizes(self.e).plus(spread.times(v));
-        let s_v = sizes(self.g).plus(spread.times(u));
-        let d = sizes(self.direction);
+        let s_u = self.e.absolute().plus(spread.times(v));
+        let s_v = self.g.absolute().plus(spread.times(u));
+        let d = self.direction.absolute();
         // Three roundings in S_u and S_v each, two products, a difference, two sums: 11, and one more.
         let lost = P::Scalar::from_i32(12) * unit * d.dot(positive_cross(s_u, s_v));
         let determinant = self.direction.dot(self.normal(u, v)).magnitude() - lost;
@@ -357,7 +357,10 @@ impl<P: Vector3<Scalar: Real>> Seen<P> {
         if !is_regular {
             return one / P::Scalar::zero();
         }
-        let residual = sizes(self.residual(place)).plus(self.rounding_of_residual(place));
+        let residual = self
+            .residual(place)
+            .absolute()
+            .plus(self.rounding_of_residual(place));
         let crosses = [
             positive_cross(s_v, d),
             positive_cross(d, s_u),
@@ -374,9 +377,13 @@ impl<P: Vector3<Scalar: Real>> Seen<P> {
 
     /// A bound on the rounding of the residual: 8 roundings at most in each of its terms, and one more.
     fn rounding_of_residual(&self, [u, v, t]: [P::Scalar; 3]) -> P {
-        let along = sizes(self.g).plus(self.k_size.times(u)).times(v);
-        let point = sizes(self.a).plus(sizes(self.e).times(u)).plus(along);
-        let total = point.plus(sizes(self.direction).times(t.magnitude()));
+        let along = self.g.absolute().plus(self.k_size.times(u)).times(v);
+        let point = self
+            .a
+            .absolute()
+            .plus(self.e.absolute().times(u))
+            .plus(along);
+        let total = point.plus(self.direction.absolute().times(t.magnitude()));
         total.times(P::Scalar::from_i32(9) * P::Scalar::unit_roundoff())
     }
 }
@@ -384,11 +391,6 @@ impl<P: Vector3<Scalar: Real>> Seen<P> {
 /// The vector with its largest coordinate between 1 and 2, by a power of two.
 fn in_its_unit<P: Vector3<Scalar: Real>>(vector: P) -> P {
     vector.times(P::Scalar::one() / vector.largest_coordinate().power_of_two())
-}
-
-/// The absolute values of the coordinates.
-fn sizes<P: Vector3>(vector: P) -> P {
-    P::from_coordinates([0, 1, 2].map(|axis| vector.coordinate(axis).magnitude()))
 }
 
 /// The vector product with sums for differences: a bound on it for vectors of sizes.

@@ -2,7 +2,7 @@
 
 use super::Mesh;
 use super::ears::ears;
-use crate::algebra::{Scalar, Vector3, divided, larger};
+use crate::algebra::{Vector3, divided, larger};
 use num_traits::{One, Zero};
 
 impl<P: Vector3> Mesh<P> {
@@ -85,7 +85,7 @@ impl<P: Vector3> Mesh<P> {
         let sides = points.windows(2).map(|side| side[0].cross(side[1]));
         let normal = sides.fold(P::origin(), P::plus);
         let size = normal.largest_coordinate();
-        let axis = (0..3).find(|&axis| normal.coordinate(axis).magnitude() == size)?;
+        let axis = normal.largest_axis();
         let [mut across, mut up] = [(axis + 1) % 3, (axis + 2) % 3];
         if normal.coordinate(axis) < P::Scalar::zero() {
             (across, up) = (up, across);
@@ -93,7 +93,7 @@ impl<P: Vector3> Mesh<P> {
         let flat = points
             .iter()
             .map(|point| [point.coordinate(across), point.coordinate(up)]);
-        (!size.is_zero()).then(|| flat.collect())
+        (size > P::Scalar::zero()).then(|| flat.collect())
     }
     // ANCHOR_END: newell
 }

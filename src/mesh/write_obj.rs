@@ -57,15 +57,14 @@ where
         }
         text.push('\n');
     };
-    let coordinates = |vector: P| [0, 1, 2].map(|index| vector.coordinate(index));
     for &position in &mesh.positions {
-        line("v", &coordinates(position));
+        line("v", &position.coordinates());
     }
     for parameters in &mesh.parameters {
         line("vt", parameters);
     }
     for &normal in &mesh.normals {
-        line("vn", &coordinates(normal));
+        line("vn", &normal.coordinates());
     }
     for face in mesh.faces() {
         text.push('f');

@@ -36,7 +36,7 @@ struct Net<S, const N: usize, const M: usize>([Row<S, N>; M]);
 impl<S: Scalar, const N: usize, const M: usize> Patches<S, N, M> {
     /// The patches of a surface whose degrees are `N − 1` and `M − 1`.
     pub(super) fn new<P: Vector3<Scalar = S>>(surface: &BsplineSurface<P>) -> Self {
-        let net = |points: &[P]| Net(from_fn(|j| from_fn(|i| coordinates(points[j * N + i]))));
+        let net = |points: &[P]| Net(from_fn(|j| from_fn(|i| points[j * N + i].coordinates())));
         let patches = surface.bezier_patches().into_iter();
         Self {
             nets: patches.map(|patch| net(&patch.control_points)).collect(),
@@ -153,9 +153,4 @@ pub(super) fn bernstein<S: Scalar, const N: usize>(t: S) -> [S; N] {
         values[0] = values[0] * s;
     }
     values
-}
-
-#[inline]
-pub(super) fn coordinates<P: Vector3>(point: P) -> [P::Scalar; 3] {
-    from_fn(|axis| point.coordinate(axis))
 }

@@ -147,7 +147,11 @@ impl<P: Vector3<Scalar: Real>> PatchIntersector<P> {
             clamped_knots(degrees[0], in_u)?,
             clamped_knots(degrees[1], in_v)?,
         ];
-        let points: Vec<_> = patch.control_points.into_iter().map(coordinates).collect();
+        let points: Vec<_> = patch
+            .control_points
+            .into_iter()
+            .map(P::in_double_precision)
+            .collect();
         let largest = points.iter().map(|point| point.largest_coordinate());
         let largest = largest.fold(0.0, f64::max);
         let roundoffs = (6 * (degrees[0] + degrees[1]) + 2) as f64;
@@ -186,8 +190,8 @@ impl<P: Vector3<Scalar: Real>> PatchIntersector<P> {
     fn root(&self, ray: &Ray<P>, any: bool) -> Option<(RayFrame, Root)> {
         let reaches = |t: f64| ray.reaches(P::Scalar::from_f64(t));
         let wide = Ray {
-            origin: coordinates(ray.origin),
-            direction: coordinates(ray.direction),
+            origin: ray.origin.in_double_precision(),
+            direction: ray.direction.in_double_precision(),
             start: ray.start.to_f64(),
             end: ray.end.map(Real::to_f64),
         };
@@ -207,7 +211,7 @@ impl<P: Vector3<Scalar: Real>> PatchIntersector<P> {
             P::Scalar::from_f64(start.lerp(end, root.parameters[i]))
         });
         let [u, v] = parameters.map(Real::to_f64);
-        let direction = coordinates(direction);
+        let direction = direction.in_double_precision();
         let normal = self.surface.normal_vector(u, v).and_then(unit_vector);
         let normal = normal.or_else(|| unit_vector(direction.times(-1.0)))?;
         let mut depth_error = root.depth_error;
@@ -233,10 +237,6 @@ impl<P: Vector3<Scalar: Real>> PatchIntersector<P> {
 fn clamped_knots(degree: usize, ends: [f64; 2]) -> Result<KnotVector<f64>, BsplineError<f64>> {
     let knots = ends.map(|end| vec![end; degree + 1]).concat();
     KnotVector::new(degree, knots)
-}
-
-fn coordinates<P: Vector3<Scalar: Real>>(point: P) -> [f64; 3] {
-    [0, 1, 2].map(|axis| point.coordinate(axis).to_f64())
 }
 
 impl<P: Vector3<Scalar: Real>> Intersect for PatchIntersector<P> {

@@ -1,7 +1,7 @@
 //! The control net in the ray's coordinates: projected, halved, evaluated.
 
 use super::ROUNDOFF;
-use crate::algebra::VectorSpace;
+use crate::algebra::{Vector3, VectorSpace};
 use crate::ray::Ray;
 
 /// A control point as the ray sees it: its distances from the two planes through the ray, and its depth.
@@ -30,8 +30,7 @@ impl RayFrame {
     /// The frame of a ray, as large as the control points; `None` for a ray or a size that is not finite, and for no direction.
     // ANCHOR: frame
     pub(super) fn new(ray: &Ray<[f64; 3]>, control_points: &[[f64; 3]]) -> Option<Self> {
-        let speeds = ray.direction.map(f64::abs);
-        let k = (1..3).fold(0, |k, axis| if speeds[axis] > speeds[k] { axis } else { k });
+        let k = ray.direction.largest_axis();
         let axes = [(k + 1) % 3, (k + 2) % 3, k];
         let along = ray.direction[k];
         let slopes = [0, 1].map(|i| ray.direction[axes[i]] / along);

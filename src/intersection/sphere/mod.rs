@@ -125,7 +125,7 @@ where
 /// The largest of the coordinates' absolute values and `least`. NaN is passed over: it makes all that follows NaN, whatever the unit.
 #[inline]
 fn largest_size<P: Vector3>(vector: P, least: P::Scalar) -> P::Scalar {
-    let sizes = [0, 1, 2].map(|axis| vector.coordinate(axis).magnitude());
+    let sizes = vector.absolute().coordinates();
     let larger = |a: P::Scalar, b: P::Scalar| if b > a { b } else { a };
     sizes.into_iter().fold(least, larger)
 }

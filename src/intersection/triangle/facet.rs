@@ -1,7 +1,7 @@
 //! The triangle as a surface: hits with error bounds and a unit normal.
 
-use super::robust::{coordinates, decide, normal};
-use crate::algebra::{Real, Scalar, Vector3, unit_vector};
+use super::robust::{decide, normal};
+use crate::algebra::{Real, Scalar, Vector3, VectorSpace, unit_vector};
 use crate::intersection::hit::rounded_bound;
 use crate::intersection::{Hit, Intersect, IntersectionError};
 use crate::ray::Ray;
@@ -62,8 +62,12 @@ impl<P: Vector3<Scalar: Real>> Intersect for Triangle<P> {
     type Point = P;
 
     fn intersect(&self, ray: &Ray<P>) -> Option<Hit<P>> {
-        let corners = self.corners.map(coordinates);
-        let crossing = decide(corners, coordinates(ray.origin), coordinates(ray.direction))?;
+        let corners = self.corners.map(P::in_double_precision);
+        let crossing = decide(
+            corners,
+            ray.origin.in_double_precision(),
+            ray.direction.in_double_precision(),
+        )?;
         let t = P::Scalar::from_f64(crossing.t);
         if !(ray.reaches(t) && t.is_finite()) {
             return None;
@@ -73,7 +77,7 @@ impl<P: Vector3<Scalar: Real>> Intersect for Triangle<P> {
             t,
             t_error: rounded_bound(crossing.t, crossing.t_error),
             point: P::from_coordinates(point.map(P::Scalar::from_f64)),
-            point_error: rounded_bound(largest(point), point_error),
+            point_error: rounded_bound(point.largest_coordinate(), point_error),
             normal: P::from_coordinates(unit_vector(normal(corners))?.map(P::Scalar::from_f64)),
             parameters: Some(crossing.parameters.map(P::Scalar::from_f64)),
             side: crossing.side,
@@ -104,7 +108,3 @@ fn point_on([a, b, c]: [[f64; 3]; 3], [v, w]: [f64; 2]) -> ([f64; 3], f64) {
     (point, error)
 }
 // ANCHOR_END: point_on
-
-fn largest(point: [f64; 3]) -> f64 {
-    point.into_iter().map(f64::abs).fold(0.0, f64::max)
-}

@@ -9,9 +9,7 @@ use crate::ray::Ray;
 
 /// The axes of a triangle: along the longest coordinate of its normal, and the two that follow it.
 fn axes<P: Vector3>(normal: P) -> [usize; 3] {
-    let size = |axis: usize| normal.coordinate(axis).magnitude();
-    let longer = |a: usize, b: usize| if size(b) > size(a) { b } else { a };
-    let w = longer(longer(0, 1), 2);
+    let w = normal.largest_axis();
     [(w + 1) % 3, (w + 2) % 3, w]
 }
 

@@ -43,17 +43,12 @@ where
     P: Vector3<Scalar: Real>,
 {
     let answer = decide(
-        corners.map(coordinates),
-        coordinates(ray.origin),
-        coordinates(ray.direction),
+        corners.map(P::in_double_precision),
+        ray.origin.in_double_precision(),
+        ray.direction.in_double_precision(),
     )?;
     let [t, v, w] = [answer.t, answer.parameters[0], answer.parameters[1]].map(P::Scalar::from_f64);
     facet_hit(ray, t, [v, w], answer.side)
-}
-
-/// The coordinates in double precision.
-pub(super) fn coordinates<P: Vector3<Scalar: Real>>(point: P) -> [f64; 3] {
-    [0, 1, 2].map(|axis| point.coordinate(axis).to_f64())
 }
 
 /// Where the line of a ray meets a triangle, at any t.

@@ -45,14 +45,7 @@ impl<P: Vector3> ShearedRay<P> {
     // ANCHOR: shear
     pub fn new(ray: &Ray<P>) -> Self {
         let d = |axis: usize| ray.direction.coordinate(axis);
-        let longer = |a: usize, b: usize| {
-            if d(b).magnitude() > d(a).magnitude() {
-                b
-            } else {
-                a
-            }
-        };
-        let z = longer(longer(0, 1), 2);
+        let z = ray.direction.largest_axis();
         let [mut x, mut y] = [(z + 1) % 3, (z + 2) % 3];
         if d(z) < P::Scalar::zero() {
             (x, y) = (y, x);
