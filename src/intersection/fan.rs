@@ -25,6 +25,8 @@
 //!
 //! *In the book*: [Triangles](../../../../intersection/triangles.html).
 
+use std::fmt::Debug;
+
 use num_traits::Zero;
 use thiserror::Error;
 
@@ -34,9 +36,9 @@ use crate::algebra::Vector3;
 use crate::ray::Ray;
 
 /// What keeps points from being a fan.
-#[derive(Clone, Debug, PartialEq, Eq, Error)]
+#[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
-pub enum FanError {
+pub enum FanError<S: Debug> {
     /// There is no triangle.
     #[error("the rim has {found} points: a fan needs at least {needed}")]
     RimTooShort {
@@ -46,12 +48,16 @@ pub enum FanError {
         needed: usize,
     },
     /// A point has an infinite or NaN coordinate, or lies too far from the hub for the difference to be a number.
-    #[error("point {index} of the rim is {point}: it and its distance from the hub must be finite")]
+    #[error(
+        "point {index} of the rim is {point:?}, the hub {hub:?}: both and their difference must be finite"
+    )]
     NotFinite {
         /// Which point of the rim, counted from 0.
         index: usize,
-        /// The point as text.
-        point: String,
+        /// Its coordinates.
+        point: [S; 3],
+        /// Those of the hub.
+        hub: [S; 3],
     },
 }
 
@@ -72,7 +78,7 @@ pub enum FanError {
 /// let fan = Fan::closed([0., 0., 0.], square)?;
 /// let hit = fan.intersect(&Ray::new([-0.25, -0.5, 3.], [0., 0., -1.])).expect("inside");
 /// assert_eq!((hit.triangle, hit.facet.t), (2, 3.0));
-/// # Ok::<(), facette::intersection::fan::FanError>(())
+/// # Ok::<(), facette::intersection::fan::FanError<f64>>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Fan<P> {
@@ -96,7 +102,7 @@ impl<P: Vector3> Fan<P> {
     /// # Errors
     ///
     /// [`FanError::RimTooShort`] for fewer than 2 points, [`FanError::NotFinite`] for a point or the hub.
-    pub fn open(hub: P, rim: impl IntoIterator<Item = P>) -> Result<Self, FanError> {
+    pub fn open(hub: P, rim: impl IntoIterator<Item = P>) -> Result<Self, FanError<P::Scalar>> {
         Self::with_at_least(2, hub, rim)
     }
 
@@ -105,7 +111,7 @@ impl<P: Vector3> Fan<P> {
     /// # Errors
     ///
     /// [`FanError::RimTooShort`] for fewer than 3 points, [`FanError::NotFinite`] for a point or the hub.
-    pub fn closed(hub: P, rim: impl IntoIterator<Item = P>) -> Result<Self, FanError> {
+    pub fn closed(hub: P, rim: impl IntoIterator<Item = P>) -> Result<Self, FanError<P::Scalar>> {
         let mut fan = Self::with_at_least(3, hub, rim)?;
         fan.spokes.push(fan.spokes[0]);
         Ok(fan)
@@ -115,13 +121,13 @@ impl<P: Vector3> Fan<P> {
         needed: usize,
         hub: P,
         rim: impl IntoIterator<Item = P>,
-    ) -> Result<Self, FanError> {
+    ) -> Result<Self, FanError<P::Scalar>> {
         let mut spokes = Vec::new();
         for (index, point) in rim.into_iter().enumerate() {
             let spoke = point.minus(hub);
             if !spoke.has_finite_coordinates() {
-                let point = format!("{point:?}, the hub {hub:?}");
-                return Err(FanError::NotFinite { index, point });
+                let [point, hub] = [point, hub].map(P::coordinates);
+                return Err(FanError::NotFinite { index, point, hub });
             }
             spokes.push(spoke);
         }
