@@ -1,6 +1,6 @@
 //! Meshes and rays that break an ordinary hierarchy, what survives them, and both shown.
 
-use facette::intersection::hierarchy::{Found, Hierarchy, HierarchyError, nearest_by_loop};
+use facette::intersection::hierarchy::{Found, Hierarchy, nearest_by_loop};
 use facette::intersection::triangle::moller_trumbore;
 use facette::intersection::{FacetHit, Intersect, Side};
 use facette::ray::Ray;
@@ -292,30 +292,6 @@ fn triangles_without_area_are_never_met() {
             ask(&hierarchy, &Ray::new(target + Vec3::Z, Vec3::NEG_Z)),
             None
         );
-    }
-}
-
-/// **Corners that are not finite.** They are refused, with the number of the triangle and of the corner.
-#[test]
-fn corner_that_is_not_finite_is_refused() {
-    for bad in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY] {
-        let position = Vec3::new(1.0, bad, 2.0);
-        let mut triangles = vec![triangle(); 5];
-        triangles[3][2] = position;
-        let refusal = Hierarchy::new(&triangles).expect_err("a corner is not finite");
-        let HierarchyError::NotFinite {
-            triangle, corner, ..
-        } = refusal
-        else {
-            panic!("{refusal}");
-        };
-        assert_eq!((triangle, corner), (3, 2));
-        assert!(
-            refusal.to_string().starts_with("corner 2 of triangle 3 is"),
-            "{refusal}"
-        );
-        // The loop, which cannot refuse, never meets such a triangle.
-        assert_eq!(nearest_by_loop(&triangles[3..4], &down_at(0.5, 0.0)), None);
     }
 }
 

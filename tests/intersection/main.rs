@@ -22,6 +22,7 @@ mod hierarchy_mesh_theorems;
 mod hierarchy_meshes;
 mod hierarchy_oracle;
 mod hierarchy_packet_theorems;
+mod hierarchy_refusal_hard_cases;
 mod hierarchy_theorems;
 mod main_job;
 mod mistakes;

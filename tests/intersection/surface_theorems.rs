@@ -22,12 +22,7 @@ fn single(point: Point) -> Vec3 {
 }
 
 fn to_hierarchy(tessellation: &Tessellation<Point>) -> Hierarchy {
-    let mesh = &tessellation.mesh;
-    let triangles: Vec<[Vec3; 3]> = mesh
-        .triangles()
-        .map(|corners| corners.map(|vertex| single(mesh.positions[vertex as usize])))
-        .collect();
-    Hierarchy::new(&triangles).expect("finite corners")
+    Hierarchy::of_mesh(&tessellation.mesh).expect("finite corners")
 }
 
 /// A graph z = f(x, y) over a rectangle with corners at whole numbers, met from above.

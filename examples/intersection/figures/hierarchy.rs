@@ -25,11 +25,7 @@ mod hierarchy_meshes;
 /// The pawn's triangles in single precision.
 fn pawn() -> Hierarchy {
     let [_, _, mesh] = shadings();
-    let triangles: Vec<_> = mesh
-        .triangles()
-        .map(|corners| corners.map(|vertex| DVec3::from(mesh.positions[vertex as usize]).as_vec3()))
-        .collect();
-    Hierarchy::new(&triangles).expect("finite corners")
+    Hierarchy::of_mesh(&mesh).expect("finite corners")
 }
 
 /// A box as six faces with corners of their own.

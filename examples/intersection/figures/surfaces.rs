@@ -33,12 +33,7 @@ fn sheet() -> BsplineSurface<DVec3> {
 // ANCHOR: to_hierarchy
 /// The triangles of a tessellation, as a ray tracer takes them: in single precision, below a hierarchy of boxes.
 pub fn to_hierarchy(tessellation: &Tessellation<DVec3>) -> Result<Hierarchy, HierarchyError> {
-    let mesh = &tessellation.mesh;
-    let triangles: Vec<[Vec3; 3]> = mesh
-        .triangles()
-        .map(|corners| corners.map(|vertex| mesh.positions[vertex as usize].as_vec3()))
-        .collect();
-    Hierarchy::new(&triangles)
+    Hierarchy::of_mesh(&tessellation.mesh)
 }
 
 /// The surface's parameters at a place on a triangle: those of the corners, in the same proportions.

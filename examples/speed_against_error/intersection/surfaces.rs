@@ -74,12 +74,8 @@ fn as_triangles(
     let mesh = tessellate(patch.surface(), tolerance)
         .expect("a usable tolerance")
         .mesh;
+    let hierarchy = Hierarchy::of_mesh(&mesh).expect("finite corners");
     let single = |p: [f64; 3]| DVec3::from(p).as_vec3();
-    let triangles: Vec<[Vec3; 3]> = mesh
-        .triangles()
-        .map(|corners| corners.map(|vertex| single(mesh.positions[vertex as usize])))
-        .collect();
-    let hierarchy = Hierarchy::new(&triangles).expect("finite corners");
     let rays: Vec<Ray<Vec3>> = cases
         .iter()
         .map(|case| Ray::new(single(case.ray().origin), single(case.ray().direction)))

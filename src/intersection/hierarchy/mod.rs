@@ -54,6 +54,7 @@ use self::prepared::{Group, Scene};
 use self::stack::Stack;
 pub use self::statistics::{Shape, Visits};
 use self::stream::{Any, Nearest, Walkers};
+use crate::algebra::{Real, Vector3};
 use crate::intersection::{FacetHit, Hit, Intersect};
 use crate::mesh::Mesh;
 use crate::ray::Ray;
@@ -165,15 +166,39 @@ impl Hierarchy {
         })
     }
 
-    /// The hierarchy over the triangles of a mesh, in the mesh's order.
+    /// The hierarchy over the triangles of a mesh, in the mesh's order, their corners rounded to single precision.
+    ///
+    /// # Accuracy
+    ///
+    /// A corner in double precision is moved by at most u = 2⁻²⁴ of each coordinate, and by 2⁻¹⁵⁰ where that is denormal in single precision. Triangles that share a
+    /// vertex share the rounded one, so that a closed mesh stays closed; a triangle smaller than the rounding may lose its area, and is not hit then.
     ///
     /// # Errors
     ///
-    /// As [`Hierarchy::new`], and [`HierarchyError::NoSuchVertex`] where positions were taken away.
-    pub fn of_mesh(mesh: &Mesh<Vec3>) -> Result<Self, HierarchyError> {
+    /// As [`Hierarchy::new`], with [`HierarchyError::NotFinite`] also for a coordinate beyond `f32::MAX`; [`HierarchyError::NoSuchVertex`] where positions were taken away.
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use facette::intersection::hierarchy::Hierarchy;
+    /// use facette::mesh::Mesh;
+    /// use facette::ray::Ray;
+    /// use glam::{DVec3, Vec3};
+    ///
+    /// let square = Mesh::new(vec![DVec3::ZERO, DVec3::X, DVec3::new(1.0, 1.0, 0.0), DVec3::Y], [[0, 1, 2, 3]])?;
+    /// let hierarchy = Hierarchy::of_mesh(&square)?;
+    /// let ray = Ray::new(Vec3::new(0.25, 0.5, 2.0), Vec3::NEG_Z);
+    /// assert_eq!(hierarchy.query().nearest(&ray).map(|found| found.triangle), Some(1));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn of_mesh<P>(mesh: &Mesh<P>) -> Result<Self, HierarchyError>
+    where
+        P: Vector3<Scalar: Real>,
+    {
         let count = mesh.positions.len();
+        let single = |point: &P| Vec3::from_array(point.in_double_precision().map(f32::from_f64));
         let position = |triangle, vertex: u32| {
-            let found = mesh.positions.get(vertex as usize).copied();
+            let found = mesh.positions.get(vertex as usize).map(single);
             found.ok_or(HierarchyError::NoSuchVertex {
                 triangle,
                 vertex,
