@@ -31,4 +31,5 @@ pub(crate) use length::divided;
 pub use length::{length, unit_vector};
 pub(crate) use number::larger;
 pub use number::{Real, Scalar};
+pub(crate) use vector::check_finite;
 pub use vector::{Vector3, VectorSpace};

@@ -138,6 +138,18 @@ pub trait Vector3: VectorSpace {
     fn cross(self, other: Self) -> Self;
 }
 
+/// Passes where every coordinate is finite; else the error that `refusal` makes of the coordinates.
+pub(crate) fn check_finite<P: Vector3, E>(
+    vector: P,
+    refusal: impl FnOnce([P::Scalar; 3]) -> E,
+) -> Result<(), E> {
+    if vector.has_finite_coordinates() {
+        Ok(())
+    } else {
+        Err(refusal(vector.coordinates()))
+    }
+}
+
 impl<S: Scalar> VectorSpace for S {
     type Scalar = S;
     const DIMENSION: usize = 1;

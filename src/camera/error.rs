@@ -2,6 +2,8 @@
 
 use thiserror::Error;
 
+use crate::algebra::{Scalar, Vector3, check_finite};
+
 /// What is wrong with the data of a camera.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
@@ -95,6 +97,16 @@ pub enum CameraError<S> {
         /// The angle.
         angle: S,
     },
+}
+
+impl<S: Scalar> CameraError<S> {
+    /// Passes where every coordinate is finite.
+    pub(super) fn check_finite<P>(what: &'static str, vector: P) -> Result<(), Self>
+    where
+        P: Vector3<Scalar = S>,
+    {
+        check_finite(vector, |value| Self::PointNotFinite { what, value })
+    }
 }
 
 /// An image without pixels, or with more than can be counted.

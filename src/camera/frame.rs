@@ -100,7 +100,7 @@ impl<P: Vector3> CameraFrame<P> {
         let [u, v, w] = axes;
         let named = [("u", u), ("v", v), ("w", w)];
         for (what, value) in [("the eye", eye)].into_iter().chain(named) {
-            check_finite(what, value)?;
+            CameraError::check_finite(what, value)?;
         }
         for (index, (first, a)) in named.into_iter().enumerate() {
             for (second, b) in named.into_iter().skip(index) {
@@ -132,7 +132,7 @@ impl<P: Vector3> CameraFrame<P> {
         P::Scalar: Real,
     {
         for (what, value) in [("the eye", eye), ("the target", target), ("up", up)] {
-            check_finite(what, value)?;
+            CameraError::check_finite(what, value)?;
         }
         let back = unit_vector(difference(eye, target)).ok_or(CameraError::EyeAtTarget {
             eye: eye.coordinates(),
@@ -205,16 +205,6 @@ impl<P: Vector3> CameraFrame<P> {
         let offset = u.times(right).plus(v.times(above)).plus(w.times(behind));
         self.eye.plus(offset)
     }
-}
-
-fn check_finite<P: Vector3>(what: &'static str, value: P) -> Result<(), CameraError<P::Scalar>> {
-    if value.has_finite_coordinates() {
-        return Ok(());
-    }
-    Err(CameraError::PointNotFinite {
-        what,
-        value: value.coordinates(),
-    })
 }
 
 fn check_product<S: Scalar>(

@@ -4,7 +4,7 @@ use std::fmt::Debug;
 
 use thiserror::Error;
 
-use crate::algebra::{Scalar, Vector3};
+use crate::algebra::{Scalar, Vector3, check_finite};
 
 /// What is wrong with the data of a surface.
 #[derive(Clone, Debug, PartialEq, Error)]
@@ -46,16 +46,10 @@ pub enum IntersectionError<S: Debug> {
 
 impl<S: Scalar> IntersectionError<S> {
     /// Passes where every coordinate is finite.
-    pub(super) fn refuse_infinite<P>(what: &'static str, vector: P) -> Result<(), Self>
+    pub(super) fn check_finite<P>(what: &'static str, vector: P) -> Result<(), Self>
     where
         P: Vector3<Scalar = S>,
     {
-        if vector.has_finite_coordinates() {
-            return Ok(());
-        }
-        Err(Self::NotFinite {
-            what,
-            coordinates: vector.coordinates(),
-        })
+        check_finite(vector, |coordinates| Self::NotFinite { what, coordinates })
     }
 }

@@ -33,8 +33,8 @@ impl<P: Vector3> Plane<P> {
     ///
     /// [`IntersectionError::NotFinite`] for NaN or infinity in one of them, [`IntersectionError::NormalIsZero`] for a normal without direction.
     pub fn new(point: P, normal: P) -> Result<Self, IntersectionError<P::Scalar>> {
-        IntersectionError::refuse_infinite("the point", point)?;
-        IntersectionError::refuse_infinite("the normal", normal)?;
+        IntersectionError::check_finite("the point", point)?;
+        IntersectionError::check_finite("the normal", normal)?;
         if normal.largest_coordinate().is_zero() {
             return Err(IntersectionError::NormalIsZero);
         }

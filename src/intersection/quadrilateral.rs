@@ -81,7 +81,7 @@ impl<P: Vector3> Quadrilateral<P> {
     pub fn new(corners: [P; 4]) -> Result<Self, IntersectionError<P::Scalar>> {
         let names = ["corner a", "corner b", "corner c", "corner d"];
         for (what, corner) in names.into_iter().zip(corners) {
-            IntersectionError::refuse_infinite(what, corner)?;
+            IntersectionError::check_finite(what, corner)?;
         }
         Ok(Self { corners })
     }

@@ -36,8 +36,8 @@ impl<P: Vector3> BoundingBox<P> {
     ///
     /// [`IntersectionError::NotFinite`] for a corner with NaN or infinity, [`IntersectionError::BoxIsReversed`] where `min > max`.
     pub fn new(min: P, max: P) -> Result<Self, IntersectionError<P::Scalar>> {
-        IntersectionError::refuse_infinite("the lower corner", min)?;
-        IntersectionError::refuse_infinite("the upper corner", max)?;
+        IntersectionError::check_finite("the lower corner", min)?;
+        IntersectionError::check_finite("the upper corner", max)?;
         for axis in 0..P::DIMENSION {
             let [min, max] = [min.coordinate(axis), max.coordinate(axis)];
             if min > max {

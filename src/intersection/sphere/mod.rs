@@ -42,7 +42,7 @@ impl<P: Vector3> Sphere<P> {
     /// [`IntersectionError::NotFinite`] for a centre with NaN or infinity, [`IntersectionError::Radius`] for a radius that is not positive
     /// and finite.
     pub fn new(centre: P, radius: P::Scalar) -> Result<Self, IntersectionError<P::Scalar>> {
-        IntersectionError::refuse_infinite("the centre", centre)?;
+        IntersectionError::check_finite("the centre", centre)?;
         if radius > P::Scalar::zero() && Scalar::is_finite(radius) {
             Ok(Self { centre, radius })
         } else {

@@ -47,7 +47,7 @@ impl<P: Vector3> Triangle<P> {
             .into_iter()
             .zip(corners)
         {
-            IntersectionError::refuse_infinite(what, corner)?;
+            IntersectionError::check_finite(what, corner)?;
         }
         Ok(Self { corners })
     }
