@@ -42,6 +42,7 @@ pub mod fan;
 mod group;
 pub mod hierarchy;
 mod hit;
+mod limbs;
 pub mod offset;
 mod plane;
 pub mod quadrilateral;

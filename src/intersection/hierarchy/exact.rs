@@ -8,6 +8,8 @@
 //! (a − o) · (b − o) × (c − o) = |a b c| − |o b c| − |a o c| − |a b o|           24 products
 //! ```
 //!
+//! Why this is not the triangle's long accumulator is said in [`limbs`](crate::intersection::limbs), where the digits are that both have.
+//!
 //! # Numerics
 //!
 //! The answer is exact for every finite input, denormal numbers included: there is no overflow, no underflow, and no tolerance. It costs
@@ -22,17 +24,19 @@ use std::cmp::Ordering;
 
 use glam::Vec3;
 
+use crate::intersection::limbs::Limbs;
+
 /// How many 64-bit digits an [`Integer`] has: 831 bits for a product, 5 for the count of products, 1 for the sign.
 const DIGITS: usize = 14;
 
 /// The exponent of the least bit of an `f32`.
 const LEAST_EXPONENT: u64 = 149;
 
-/// A whole number of 896 bits, as sign and magnitude, least digit first.
+/// A whole number of 896 bits, as sign and magnitude.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Integer {
     sign: Ordering,
-    digits: [u64; DIGITS],
+    magnitude: Limbs<DIGITS>,
 }
 
 /// A number as `mantissa · 2^exponent` in units of 2⁻¹⁴⁹.
@@ -55,11 +59,11 @@ fn decomposed(value: f32) -> (i64, u32) {
 }
 
 /// A sum of products in two's complement, on its way to an [`Integer`].
-struct Sum([u64; DIGITS]);
+struct Sum(Limbs<DIGITS>);
 
 impl Sum {
     fn zero() -> Self {
-        Self([0; DIGITS])
+        Self(Limbs::ZERO)
     }
 
     /// Adds `±x y z`, in units of 2⁻⁴⁴⁷.
@@ -76,85 +80,26 @@ impl Sum {
         self.add_shifted(product.unsigned_abs(), shift, negated != (product < 0));
     }
 
-    /// Adds `± magnitude · 2^shift`, where the magnitude has at most 72 bits.
-    #[allow(
-        clippy::cast_possible_truncation,
-        reason = "the digits are cut out of the wide product"
-    )]
+    /// Adds `± magnitude · 2^shift`.
     fn add_shifted(&mut self, magnitude: u128, shift: u32, negated: bool) {
-        let (first, within) = ((shift / 64) as usize, shift % 64);
-        let low = magnitude << within;
-        let high = if within == 0 {
-            0
-        } else {
-            magnitude >> (128 - within)
-        };
-        let pieces = [low as u64, (low >> 64) as u64, high as u64];
-        let mut carry = false;
-        for (place, digit) in self.0.iter_mut().skip(first).enumerate() {
-            let piece = pieces.get(place).copied().unwrap_or(0);
-            if place >= pieces.len() && !carry {
-                break;
-            }
-            (*digit, carry) = if negated {
-                digit.borrowing_sub(piece, carry)
-            } else {
-                digit.carrying_add(piece, carry)
-            };
-        }
+        let pieces = shifted(magnitude, shift % 64);
+        self.0.add(&pieces, (shift / 64) as usize, negated);
     }
 
     fn finish(self) -> Integer {
-        Integer::from_twos_complement(self.0)
+        Integer {
+            sign: self.0.sign(),
+            magnitude: self.0.magnitude(),
+        }
     }
 }
 
 impl Integer {
-    fn from_twos_complement(mut digits: [u64; DIGITS]) -> Self {
-        let negative = digits[DIGITS - 1] >> 63 == 1;
-        if negative {
-            let mut carry = true;
-            for digit in &mut digits {
-                (*digit, carry) = (!*digit).carrying_add(0, carry);
-            }
-        }
-        let sign = if digits == [0; DIGITS] {
-            Ordering::Equal
-        } else if negative {
-            Ordering::Less
-        } else {
-            Ordering::Greater
-        };
-        Self { sign, digits }
-    }
-
     /// The number `value · 2^shift`, in units of 2⁻⁴⁴⁷.
-    #[allow(
-        clippy::cast_possible_truncation,
-        reason = "the digits are cut out of the wide number"
-    )]
     fn of_product(value: i128, shift: u32) -> Self {
-        let mut digits = [0; DIGITS];
-        let (first, within) = ((shift / 64) as usize, shift % 64);
-        let magnitude = value.unsigned_abs();
-        let low = magnitude << within;
-        let high = if within == 0 {
-            0
-        } else {
-            magnitude >> (128 - within)
-        };
-        for (place, piece) in [low as u64, (low >> 64) as u64, high as u64]
-            .into_iter()
-            .enumerate()
-        {
-            if piece != 0 {
-                digits[first + place] = piece;
-            }
-        }
-        Self {
-            sign: value.cmp(&0),
-            digits,
-        }
+        let mut sum = Sum::zero();
+        sum.add_shifted(value.unsigned_abs(), shift, value < 0);
+        sum.finish()
     }
 
     /// Less, equal or greater than 0.
@@ -164,31 +109,21 @@ impl Integer {
 
     /// The sum of three numbers below 2⁸⁹².
     pub(super) fn sum(terms: [&Self; 3]) -> Self {
-        let mut sum = [0_u64; DIGITS];
+        let mut sum = Sum::zero();
         for term in terms {
-            let negated = term.sign == Ordering::Less;
-            let mut carry = false;
-            for (digit, &other) in sum.iter_mut().zip(&term.digits) {
-                (*digit, carry) = if negated {
-                    digit.borrowing_sub(other, carry)
-                } else {
-                    digit.carrying_add(other, carry)
-                };
-            }
+            sum.0.add(&term.magnitude.0, 0, term.sign == Ordering::Less);
         }
-        Self::from_twos_complement(sum)
+        sum.finish()
     }
 
     /// The number times 2⁻⁴⁴⁷, within a relative error of 2⁻⁵².
     pub(super) fn to_f64(self) -> f64 {
-        let Some(top) = self.digits.iter().rposition(|&digit| digit != 0) else {
+        let Some((leading, top)) = self.magnitude.leading() else {
             return 0.0;
         };
-        let below = if top == 0 { 0 } else { self.digits[top - 1] };
-        let head = (u128::from(self.digits[top]) << 64) | u128::from(below);
         // The power of two 2^(64 (top − 1) − 447), put together from its biased exponent.
         let exponent = 64 * top as u64 + 1023 - 64 - 3 * LEAST_EXPONENT;
-        let magnitude = head as f64 * f64::from_bits(exponent << 52);
+        let magnitude = leading as f64 * f64::from_bits(exponent << 52);
         if self.sign == Ordering::Less {
             -magnitude
         } else {
@@ -199,15 +134,32 @@ impl Integer {
     /// The magnitude of a product of two numbers.
     fn product(&self, other: &Self) -> [u64; 2 * DIGITS] {
         let mut product = [0_u64; 2 * DIGITS];
-        for (i, &x) in self.digits.iter().enumerate().filter(|(_, x)| **x != 0) {
+        for (i, &x) in self
+            .magnitude
+            .0
+            .iter()
+            .enumerate()
+            .filter(|(_, x)| **x != 0)
+        {
             let mut carry = 0_u64;
-            for (j, &y) in other.digits.iter().enumerate() {
+            for (j, &y) in other.magnitude.0.iter().enumerate() {
                 (product[i + j], carry) = x.carrying_mul_add(y, carry, product[i + j]);
             }
             product[i + DIGITS] = carry;
         }
         product
     }
+}
+
+/// The number moved up by less than 64 places, as limbs.
+#[allow(
+    clippy::cast_possible_truncation,
+    reason = "the limbs are cut out of the wide number"
+)]
+fn shifted(number: u128, places: u32) -> [u64; 3] {
+    let low = number << places;
+    let high = number.checked_shr(128 - places).unwrap_or(0);
+    [low as u64, (low >> 64) as u64, high as u64]
 }
 
 /// A rational number, `numerator / denominator`; the denominator is not 0.

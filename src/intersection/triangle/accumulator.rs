@@ -1,6 +1,11 @@
 //! A number with so many digits that sums of products of three floating-point numbers fit in exactly.
+//!
+//! Why the hierarchy has a narrower one is said in [`limbs`](crate::intersection::limbs), where the digits are that both have.
 
+use std::cmp::Ordering;
 use std::ops::AddAssign;
+
+use crate::intersection::limbs::Limbs;
 
 /// Bits below the unit: the last digit of a product of three denormal numbers is 2⁻³ ˣ ¹⁰⁷⁴.
 const FRACTION_BITS: i32 = 3 * 1074;
@@ -16,7 +21,7 @@ const LIMBS: usize = 99;
 ///
 /// Kulisch 2013, chapter 8.
 #[derive(Clone, Copy)]
-pub(crate) struct LongAccumulator([u64; LIMBS]);
+pub(crate) struct LongAccumulator(Limbs<LIMBS>);
 
 /// A number as `mantissa · 2^exponent`, so that a quotient of two of them overflows only where it must.
 #[derive(Clone, Copy, Debug)]
@@ -28,7 +33,7 @@ pub(crate) struct Scaled {
 
 impl LongAccumulator {
     pub(crate) fn new() -> Self {
-        Self([0; LIMBS])
+        Self(Limbs::ZERO)
     }
 
     /// Adds `x y z`, which are finite.
@@ -41,8 +46,8 @@ impl LongAccumulator {
         let place = x.exponent + y.exponent + z.exponent + FRACTION_BITS;
         let place = usize::try_from(place).expect("the smallest exponent is that of the last bit");
         let digits = times(product, z.digits);
-        self.add(
-            shifted(digits, place % 64),
+        self.0.add(
+            &shifted(digits, place % 64),
             place / 64,
             x.is_negative ^ y.is_negative ^ z.is_negative,
         );
@@ -56,33 +61,9 @@ impl LongAccumulator {
         }
     }
 
-    /// Adds or subtracts four limbs from limb number `first` on.
-    fn add(&mut self, digits: [u64; 4], first: usize, is_negative: bool) {
-        let mut carry = false;
-        for (index, limb) in self.0[first..].iter_mut().enumerate() {
-            let digit = digits.get(index).copied().unwrap_or(0);
-            if index >= digits.len() && !carry {
-                return;
-            }
-            (*limb, carry) = if is_negative {
-                limb.borrowing_sub(digit, carry)
-            } else {
-                limb.carrying_add(digit, carry)
-            };
-        }
-    }
-
-    /// −1, 0 or 1, as the sum is negative, zero or positive.
-    pub(crate) fn sign(&self) -> i32 {
-        if self.is_negative() {
-            -1
-        } else {
-            i32::from(self.0.iter().any(|&limb| limb != 0))
-        }
-    }
-
-    fn is_negative(&self) -> bool {
-        self.0[LIMBS - 1] >> 63 == 1
+    /// Less, equal or greater than 0.
+    pub(crate) fn sign(&self) -> Ordering {
+        self.0.sign()
     }
 
     /// The sum rounded to 53 bits, with a relative error of at most `u (1 + 2⁻¹⁰)`.
@@ -91,24 +72,18 @@ impl LongAccumulator {
         reason = "the leading bits are cut out"
     )]
     pub(crate) fn rounded(&self) -> Scaled {
-        let mut limbs = self.0;
-        if self.is_negative() {
-            negate(&mut limbs);
-        }
-        let Some(top) = limbs.iter().rposition(|&limb| limb != 0) else {
+        let Some((leading, top)) = self.0.magnitude().leading() else {
             return Scaled {
                 mantissa: 0.0,
                 exponent: 0,
             };
         };
-        let below = if top == 0 { 0 } else { limbs[top - 1] };
-        let zeros = limbs[top].leading_zeros();
-        let wide = (u128::from(limbs[top]) << 64 | u128::from(below)) << zeros;
+        let zeros = leading.leading_zeros();
         // The 64 leading bits; what is cut off is less than 2⁻⁶³ of the number.
-        let mantissa = (wide >> 64) as u64 as f64;
+        let mantissa = (leading << zeros >> 64) as u64 as f64;
         let place = i32::try_from(64 * top).expect("the accumulator has fewer than 2^13 bits");
         let exponent = place - zeros.cast_signed() - FRACTION_BITS;
-        let mantissa = if self.is_negative() {
+        let mantissa = if self.0.is_negative() {
             -mantissa
         } else {
             mantissa
@@ -119,10 +94,7 @@ impl LongAccumulator {
 
 impl AddAssign<&Self> for LongAccumulator {
     fn add_assign(&mut self, other: &Self) {
-        let mut carry = false;
-        for (limb, &digit) in self.0.iter_mut().zip(&other.0) {
-            (*limb, carry) = limb.carrying_add(digit, carry);
-        }
+        self.0.add(&other.0.0, 0, false);
     }
 }
 
@@ -198,13 +170,6 @@ fn shifted([low, middle, high]: [u64; 3], places: usize) -> [u64; 4] {
     let [[a, b], [c, d], [e, f]] = wide.map(part);
     // The parts do not overlap: a sum of the two is an "or".
     [a, b | c, d | e, f]
-}
-
-fn negate(limbs: &mut [u64; LIMBS]) {
-    let mut carry = true;
-    for limb in limbs {
-        (*limb, carry) = (!*limb).carrying_add(0, carry);
-    }
 }
 
 /// `number · 2^exponent`, in steps that the range of numbers allows.

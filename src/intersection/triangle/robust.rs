@@ -1,5 +1,7 @@
 //! A test that decides by exact signs: floating point where its error bound suffices, a long accumulator where it does not.
 
+use std::cmp::Ordering;
+
 use super::accumulator::{LongAccumulator, Scaled};
 use super::facet_hit;
 use crate::algebra::{Real, Vector3};
@@ -196,13 +198,13 @@ fn exactly([a, b, c]: [[f64; 3]; 3], o: [f64; 3], d: [f64; 3]) -> Option<Crossin
     };
     let [u, v, w] = [volume(b, c), volume(c, a), volume(a, b)];
     let signs = [u.sign(), v.sign(), w.sign()];
-    if signs.contains(&1) && signs.contains(&-1) {
+    if signs.contains(&Ordering::Greater) && signs.contains(&Ordering::Less) {
         return None;
     }
     let mut along = u;
     along += &v;
     along += &w;
-    if along.sign() == 0 {
+    if along.sign() == Ordering::Equal {
         return None;
     }
     // (a − o) · n = a · (b × c) − o · (a × b + b × c + c × a)
@@ -211,7 +213,11 @@ fn exactly([a, b, c]: [[f64; 3]; 3], o: [f64; 3], d: [f64; 3]) -> Option<Crossin
     for (y, z) in [(a, b), (b, c), (c, a)] {
         height.add_determinant(-1.0, o, y, z);
     }
-    let side = Side::of(f64::from(along.sign()));
+    let side = if along.sign() == Ordering::Less {
+        Side::Front
+    } else {
+        Side::Back
+    };
     let along = along.rounded();
     let t = height.rounded().over(along);
     Some(Crossing {
