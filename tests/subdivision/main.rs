@@ -6,4 +6,12 @@
 
 #[path = "../common/mod.rs"]
 mod common;
+mod curve_degree_theorems;
+mod curve_error_theorems;
+mod curve_hard_cases;
+mod curve_inputs;
+mod curve_shape_theorems;
+mod curve_theorems;
+mod mistakes;
 mod snapshots;
+mod suspects;
