@@ -33,6 +33,7 @@
 mod connectivity;
 pub mod curve;
 mod error;
+pub mod limit;
 pub mod mask;
 mod repair;
 
