@@ -120,6 +120,7 @@ pub fn nearest(value: &Big) -> f64 {
 pub struct Variant<'a> {
     algorithm: &'static str,
     scalar: &'static str,
+    threads: usize,
     batch: Box<dyn Batch + 'a>,
 }
 
@@ -204,8 +205,17 @@ impl<'a> Comparison<'a> {
         self.variants.push(Variant {
             algorithm,
             scalar,
+            threads: 1,
             batch: Box::new(batch),
         });
+        self
+    }
+
+    /// Says that the variant added last runs on so many threads.
+    pub fn on_threads(mut self, threads: usize) -> Self {
+        if let Some(variant) = self.variants.last_mut() {
+            variant.threads = threads;
+        }
         self
     }
 
@@ -270,6 +280,7 @@ impl<'a> Comparison<'a> {
             quantity: self.quantity,
             algorithm: variant.algorithm,
             scalar: variant.scalar,
+            threads: variant.threads,
             inputs: self.inputs,
             size: self.size,
             nanoseconds: median,
@@ -311,6 +322,7 @@ pub struct Row {
     quantity: &'static str,
     algorithm: &'static str,
     scalar: &'static str,
+    threads: usize,
     inputs: &'static str,
     size: usize,
     nanoseconds: f64,
@@ -346,7 +358,7 @@ impl Row {
             self.quantity.to_owned(),
             self.algorithm.to_owned(),
             self.scalar.to_owned(),
-            "1".to_owned(),
+            self.threads.to_string(),
             self.inputs.to_owned(),
             self.size.to_string(),
             format!("{:.2}", self.nanoseconds),

@@ -11,17 +11,20 @@ fn looking(target: [f64; 3], up: [f64; 3]) -> Result<CameraFrame<[f64; 3]>, Came
 }
 
 /// **Up along the view.** If up is parallel to the view, every turn about the view is as good as any other, and the data do not say which: the error says so and names the way out. Parallel means parallel up to rounding: $(0.1,0.2,0.3)$ and three times as much are not multiples of each
-/// other in floating point, but no digit of their product is known. A camera without an opinion on up takes the coordinate axis that is farthest from the view.
+/// other in floating point, but no digit of their product is known, also where all its terms are small because the view is near an axis. A camera without an opinion on up takes the coordinate axis that is farthest from the view.
 #[test]
 fn up_parallel_to_the_view_is_refused() {
     let tenths = [0.1, 0.2, 0.3];
     let view = tenths.map(|coordinate| 3.0 * coordinate);
     let opposite = tenths.map(|coordinate| -7.0 * coordinate);
+    let near_an_axis = [0.7, 1e-6, 3e-6];
+    let as_near = near_an_axis.map(|coordinate| 3.0 * coordinate);
     for (target, up) in [
         ([0.0, 5.0, 0.0], UP),
         ([0.0, -1e30, 0.0], UP),
         (view, tenths),
         (opposite, tenths),
+        (as_near, near_an_axis),
     ] {
         let error = looking(target, up).expect_err("no digit of the product is known");
         assert!(matches!(error, CameraError::UpAlongView { up: named, .. } if named == up));
@@ -40,7 +43,7 @@ fn up_parallel_to_the_view_is_refused() {
 }
 
 /// **No opinion on up.** Whatever the view, the axis that is chosen as up is at least 54° away from it: the smallest of three coordinates of a unit vector is at most $1/\sqrt3$. So the frame is as good as any; but it jumps where another axis becomes the smallest, and must jump somewhere, as the hairy
-/// ball theorem says.
+/// ball theorem says. Where two axes are equally far from the view, the first is up.
 #[test]
 fn any_up_is_far_from_every_view() {
     for [x, y, z] in directions() {
@@ -59,6 +62,14 @@ fn any_up_is_far_from_every_view() {
         CameraFrame::looking_at_with_any_up([1.0; 3], [1.0; 3]),
         Err(CameraError::EyeAtTarget { .. })
     ));
+    for (target, up) in [
+        ([1.0, 1.0, 1.0], [1.0, 0.0, 0.0]),
+        ([0.0, 0.0, -3.0], [1.0, 0.0, 0.0]),
+        ([-2.0, 0.0, 0.0], UP),
+    ] {
+        let frame = CameraFrame::looking_at_with_any_up([0.0; 3], target);
+        assert_eq!(frame, looking(target, up), "{target:?}");
+    }
 }
 
 /// All directions in small whole numbers.

@@ -39,6 +39,7 @@ where
 }
 
 /// The slides' perspective ray: first the point s, then the direction `s − e`.
+#[inline]
 pub fn ray_through_s<P: Vector3>(
     frame: &CameraFrame<P>,
     distance: P::Scalar,
@@ -51,6 +52,7 @@ pub fn ray_through_s<P: Vector3>(
 }
 
 /// The slides' place in a pixel: `l + (r − l) (i + x) / n`.
+#[inline]
 pub fn slides_place<S: Scalar>(
     rectangle: &ImageRectangle<S>,
     size: ImageSize,

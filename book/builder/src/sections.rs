@@ -137,11 +137,13 @@ fn speed_table(table: &measure::Measurements) -> String {
     text
 }
 
-/// The rows of one quantity. Where `n` differs between them it has a column, and so has the share of wrong answers where there are answers.
+/// The rows of one quantity. Where `n` or the number of threads differs between them it has a column, and so has the share of wrong answers
+/// where there are answers.
 fn speed_block(rows: &[Vec<String>]) -> String {
-    const NAMES: [(&str, usize); 11] = [
+    const NAMES: [(&str, usize); 12] = [
         ("algorithm", 1),
         ("scalar", 2),
+        ("threads", 3),
         ("inputs", 4),
         ("n", 5),
         ("ns", 6),
@@ -153,23 +155,27 @@ fn speed_block(rows: &[Vec<String>]) -> String {
         ("wrong", 12),
     ];
     let first = &rows[0];
-    let varies = rows.iter().any(|row| row[5] != first[5]);
+    let varies = |column: usize| rows.iter().any(|row| row[column] != first[column]);
     let is_shown = |column: usize| match column {
-        5 => varies,
+        3 | 5 => varies(column),
         12 => rows.iter().any(|row| !row[12].is_empty()),
         _ => true,
     };
     let columns = NAMES.iter().filter(|(_, column)| is_shown(*column));
     let columns: Vec<_> = columns.collect();
-    let evaluations = if varies {
-        String::new()
-    } else {
-        format!("{} evaluations, ", first[5])
-    };
-    let mut text = format!(
-        "\n**{}** ({evaluations}threads: {})\n\n|",
-        first[0], first[3]
-    );
+    let common = [
+        (5, format!("evaluations: {}", first[5])),
+        (3, format!("threads: {}", first[3])),
+    ];
+    let common: Vec<_> = common
+        .into_iter()
+        .filter_map(|(column, text)| (!varies(column)).then_some(text))
+        .collect();
+    let mut text = format!("\n**{}**", first[0]);
+    if !common.is_empty() {
+        let _ = write!(text, " ({})", common.join(", "));
+    }
+    text.push_str("\n\n|");
     for (name, _) in &columns {
         let _ = write!(text, " {name} |");
     }
