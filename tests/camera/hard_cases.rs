@@ -285,3 +285,23 @@ fn glam_vectors_give_the_same_rays() {
     ];
     assert_eq!(ray, wide_ray);
 }
+
+/// **Both ends of a ray.** The start of the interval does not belong to the ray, and its end does: a ray that is cut there has every $t$ in one of its two parts, and in one only. To move one end leaves the other where it is, and NaN is nowhere.
+#[test]
+fn interval_of_a_ray_has_an_end_and_no_start() {
+    let whole = Ray::new([1.0, 2.0, 3.0], [0.0, 0.0, -1.0]);
+    let reached = |ray: Ray<[f64; 3]>| {
+        let parameters = [-1.0, 0.0, 0.5, 2.0, 3.0, 5.0, 1e300, f64::INFINITY];
+        parameters.map(|t| u8::from(ray.reaches(t)))
+    };
+    assert_eq!(reached(whole), [0, 0, 1, 1, 1, 1, 1, 1]);
+    assert_eq!(reached(whole.until(2.0)), [0, 0, 1, 1, 0, 0, 0, 0]);
+    assert_eq!(reached(whole.after(2.0)), [0, 0, 0, 0, 1, 1, 1, 1]);
+    let both = [0, 0, 0, 0, 1, 1, 0, 0];
+    assert_eq!(reached(whole.after(2.0).until(5.0)), both);
+    assert_eq!(reached(whole.until(5.0).after(2.0)), both);
+    assert_eq!(reached(whole.after(-3.0)), [1; 8]);
+    assert_eq!(reached(whole.until(2.0).after(2.0)), [0; 8]);
+    assert!(!whole.reaches(f64::NAN));
+    assert!(!whole.until(f64::NAN).reaches(1.0));
+}
