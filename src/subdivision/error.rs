@@ -2,6 +2,8 @@
 
 use thiserror::Error;
 
+use crate::mesh::MeshError;
+
 /// Why a mesh or polygon cannot be subdivided as asked.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[non_exhaustive]
@@ -76,4 +78,7 @@ pub enum SubdivisionError {
         /// What there are too many of.
         what: &'static str,
     },
+    /// The refined mesh is none: a coordinate of a point is infinite or NaN, or became so.
+    #[error("after the step, {0}")]
+    Mesh(#[from] MeshError),
 }

@@ -113,6 +113,6 @@ pub fn averaging_weight<S: Scalar>(n: usize, steps: usize) -> S {
 }
 
 /// A number of corners or edges as a scalar.
-fn count<S: Scalar>(n: usize) -> S {
+pub(super) fn count<S: Scalar>(n: usize) -> S {
     S::from_i32(i32::try_from(n).unwrap_or(i32::MAX))
 }

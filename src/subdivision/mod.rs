@@ -30,14 +30,25 @@
 //!
 //! *In the book*: [Subdivision](../../../subdivision.html).
 
+mod boundary;
+mod catmull_clark;
 mod connectivity;
+mod counts;
 pub mod curve;
+mod doo_sabin;
 mod error;
 pub mod limit;
+mod loop_scheme;
 pub mod mask;
 mod repair;
+mod sqrt3;
 
+pub use catmull_clark::catmull_clark;
 pub use connectivity::Connectivity;
+pub use counts::Counts;
+pub use doo_sabin::{doo_sabin, doo_sabin_with};
 pub use error::SubdivisionError;
+pub use loop_scheme::{loop_subdivision, loop_subdivision_with};
 pub use mask::{Corners, DooSabinWeights};
 pub use repair::{Repair, repaired};
+pub use sqrt3::{Sqrt3Boundary, sqrt3, sqrt3_with};

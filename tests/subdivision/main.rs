@@ -6,12 +6,16 @@
 
 #[path = "../common/mod.rs"]
 mod common;
+mod count_theorems;
 mod curve_degree_theorems;
 mod curve_error_theorems;
 mod curve_hard_cases;
 mod curve_inputs;
 mod curve_shape_theorems;
 mod curve_theorems;
+mod meshes;
 mod mistakes;
 mod snapshots;
+mod step_hard_cases;
+mod steps;
 mod suspects;
