@@ -179,7 +179,9 @@ fn field_of_view_that_is_no_angle_is_refused() {
     }
     let frame = looking([0.0, 0.0, -1.0], UP).expect("a view");
     let rectangle = of(1.0).expect("an angle");
-    assert!(Camera::perspective(frame, rectangle, -1.0).is_err());
+    for distance in [0.0, -1.0] {
+        assert!(Camera::perspective(frame, rectangle, distance).is_err());
+    }
     assert!(Camera::with_field_of_view(frame, 60.0, 1.0).is_err());
 }
 
