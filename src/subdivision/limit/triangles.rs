@@ -85,7 +85,7 @@ pub fn loop_limits_with<P: VectorSpace>(
     )
 }
 
-/// Where the vertices lie on the limit surface of √3.
+/// Where the vertices lie on the limit surface of √3, for a mesh as in [`sqrt3_limits`].
 ///
 /// # Errors
 ///
@@ -107,8 +107,8 @@ where
 
 /// Position and tangents of the limit surface of √3 at every vertex of a control mesh.
 ///
-/// On a boundary the tangents are those of a mesh whose next step leaves the boundary as it is, such as the control mesh itself; positions and
-/// all interior vertices do not depend on that.
+/// The mesh must be one whose next step leaves the boundary as it is ([`Sqrt3Boundary::Kept`](crate::subdivision::Sqrt3Boundary::Kept)): the
+/// control mesh, or what an even number of steps makes of it. A closed mesh may be any.
 ///
 /// # Edge cases
 ///
