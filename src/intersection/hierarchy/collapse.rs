@@ -86,7 +86,7 @@ impl Subtree {
     }
 }
 
-/// `C(n, i)` in place i − 1, for i from 1 to 7.
+/// `C(n, i)` in place i − 1. The last one is for no one: a subtree is one of two parts of a node, and leaves the other at least one child of the eight.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Costs([f32; WIDTH]);
 
@@ -95,20 +95,9 @@ impl Costs {
     pub(super) fn join(left: &Subtree, right: &Subtree, count: usize) -> (Subtree, Choices) {
         let bounds = left.bounds.union(right.bounds);
         let area = bounds.half_area();
-        let (first, second) = (&left.costs.0, &right.costs.0);
+        let distributed = distributed(&left.costs, &right.costs);
         let mut costs = [0.0; WIDTH];
         let mut choices = 0;
-        let mut distributed = [(0.0, 0); WIDTH + 1];
-        for children in 2..=WIDTH {
-            let (mut least, mut best) = (f32::INFINITY, 1);
-            for k in 1..children {
-                let cost = first[k - 1] + second[children - k - 1];
-                if cost < least {
-                    (least, best) = (cost, k);
-                }
-            }
-            distributed[children] = (least, best);
-        }
         let corners = if count <= WIDTH {
             left.corners.union(&right.corners)
         } else {
@@ -140,6 +129,23 @@ impl Costs {
         };
         (subtree, Choices(choices))
     }
+}
+
+/// `D(n, i)` in place i, and how many children it gives to the left, for i from 2 to 8.
+#[inline]
+fn distributed(Costs(left): &Costs, Costs(right): &Costs) -> [(f32, usize); WIDTH + 1] {
+    let mut distributed = [(0.0, 0); WIDTH + 1];
+    for children in 2..=WIDTH {
+        let (mut least, mut best) = (f32::INFINITY, 1);
+        for k in 1..children {
+            let cost = left[k - 1] + right[children - k - 1];
+            if cost < least {
+                (least, best) = (cost, k);
+            }
+        }
+        distributed[children] = (least, best);
+    }
+    distributed
 }
 
 /// The distinct corners of a few triangles, by a hash of their coordinates: two corners that share a hash are taken for one, which

@@ -77,12 +77,7 @@ impl Arrived {
             wide(self.direction),
             [wide(a), wide(b), wide(c)],
         );
-        let is_inside = of.least.simd_gt(of.edge_error) | of.most.simd_lt(-of.edge_error);
-        let sure = is_inside
-            & of.determinant_error.simd_lt(f64x8::splat(0.5))
-            & of.t_error.simd_le(of.t.abs() * LARGEST_ERROR)
-            & of.weight_error.simd_le(f64x8::splat(LARGEST_ERROR));
-        let sure = sure.to_bitmask();
+        let sure = are_sure(&of);
         let (early, late) = (
             (of.t - of.t_error).to_array(),
             (of.t + of.t_error).to_array(),
@@ -114,6 +109,17 @@ impl Arrived {
         }
         self.count = 0;
     }
+}
+
+/// A bit for each hit that is certain but for the ray's interval, and precise enough.
+#[inline(always)]
+fn are_sure(of: &Estimate<f64x8>) -> u32 {
+    let is_inside = of.least.simd_gt(of.edge_error) | of.most.simd_lt(-of.edge_error);
+    let sure = is_inside
+        & of.determinant_error.simd_lt(f64x8::splat(0.5))
+        & of.t_error.simd_le(of.t.abs() * LARGEST_ERROR)
+        & of.weight_error.simd_le(f64x8::splat(LARGEST_ERROR));
+    sure.to_bitmask()
 }
 
 #[inline(always)]

@@ -30,18 +30,7 @@ impl Prepared {
         end: f32,
     ) -> Candidates {
         let splat = f32x8::splat;
-        let z = self.axis as usize;
-        let x = if z == 2 { 0 } else { z + 1 };
-        let y = if z == 0 { 2 } else { z - 1 };
-        let pz = leaf.corners[z] - splat(self.origin[2]);
-        let px = pz.mul_neg_add(
-            splat(self.shear[0]),
-            leaf.corners[x] - splat(self.origin[0]),
-        );
-        let py = pz.mul_neg_add(
-            splat(self.shear[1]),
-            leaf.corners[y] - splat(self.origin[1]),
-        );
+        let [px, py, pz] = self.sheared(leaf);
         let [a, b, c] = [
             lanes_of(&leaf.indices[0]),
             lanes_of(&leaf.indices[1]),
@@ -76,5 +65,24 @@ impl Prepared {
             low,
             high,
         }
+    }
+
+    /// The corners of a leaf from the ray's origin, sheared so that the ray is the axis z.
+    #[inline(always)]
+    fn sheared(&self, leaf: &Leaf) -> [f32x8; 3] {
+        let splat = f32x8::splat;
+        let z = self.axis as usize;
+        let x = if z == 2 { 0 } else { z + 1 };
+        let y = if z == 0 { 2 } else { z - 1 };
+        let pz = leaf.corners[z] - splat(self.origin[2]);
+        let px = pz.mul_neg_add(
+            splat(self.shear[0]),
+            leaf.corners[x] - splat(self.origin[0]),
+        );
+        let py = pz.mul_neg_add(
+            splat(self.shear[1]),
+            leaf.corners[y] - splat(self.origin[1]),
+        );
+        [px, py, pz]
     }
 }

@@ -129,16 +129,7 @@ impl Hierarchy {
         if count > Self::MOST_TRIANGLES {
             return Err(HierarchyError::TooMany { count });
         }
-        for (triangle, corners) in triangles.iter().enumerate() {
-            if let Some(corner) = corners.iter().position(|corner| !corner.is_finite()) {
-                let position = corners[corner];
-                return Err(HierarchyError::NotFinite {
-                    triangle,
-                    corner,
-                    position,
-                });
-            }
-        }
+        check_finite(triangles)?;
         let triangles = triangles.to_vec();
         let largest = triangles.iter().flatten().fold(0.0_f32, |largest, corner| {
             largest.max(corner.abs().max_element())
@@ -238,6 +229,20 @@ impl Hierarchy {
             group: Group::new(),
         }
     }
+}
+
+fn check_finite(triangles: &[[Vec3; 3]]) -> Result<(), HierarchyError> {
+    for (triangle, corners) in triangles.iter().enumerate() {
+        if let Some(corner) = corners.iter().position(|corner| !corner.is_finite()) {
+            let position = corners[corner];
+            return Err(HierarchyError::NotFinite {
+                triangle,
+                corner,
+                position,
+            });
+        }
+    }
+    Ok(())
 }
 
 /// The power of two that brings the largest coordinate into a range where products of three of them are ordinary numbers.

@@ -19,7 +19,7 @@ use wide::{f32x8, u32x8};
 use super::Hierarchy;
 use super::node::{Child, Leaf, Node, number};
 use super::order::in_order;
-use super::prepared::{GROUP, Group, Scene, U};
+use super::prepared::{Columns, GROUP, Group, Scene, U};
 use super::stack::Stack;
 use super::walk::Place;
 use crate::ray::Ray;
@@ -66,6 +66,35 @@ fn most(row: f32x8) -> f32 {
     row.to_array().into_iter().fold(f32::NEG_INFINITY, f32::max)
 }
 
+impl Beam {
+    /// The lines of eight rays whose directions have the same signs, and whose origins are in a box.
+    #[inline(always)]
+    fn new(columns: &Columns, octant: u32, [low_origin, high_origin]: [[f32; 3]; 2]) -> Self {
+        let is_backwards = |axis: usize| octant >> axis & 1 == 1;
+        let pick = |low: [f32; 3], high: [f32; 3]| {
+            [0, 1, 2].map(|axis| {
+                if is_backwards(axis) {
+                    low[axis]
+                } else {
+                    high[axis]
+                }
+            })
+        };
+        let [qx, qy, qz] = columns.q;
+        let [wx, wy, wz] = columns.widening;
+        Self {
+            near: [0, 1, 2].map(|axis| if is_backwards(axis) { axis + 3 } else { axis }),
+            near_origin: pick(low_origin, high_origin),
+            far_origin: pick(high_origin, low_origin),
+            least: [least(qx), least(qy), least(qz)],
+            most: [most(qx), most(qy), most(qz)],
+            margin: [most(wx), most(wy), most(wz)],
+            start: least(columns.start[0]),
+            octant,
+        }
+    }
+}
+
 impl<'a> Packet<'a> {
     /// The group as a packet; `None` where its rays do not go the same way.
     #[inline(always)]
@@ -87,30 +116,9 @@ impl<'a> Packet<'a> {
         if distance.max_element() + slope * reach > LARGEST_SPREAD * scene.grain {
             return None;
         }
-        let is_backwards = |axis: usize| octant[0] >> axis & 1 == 1;
-        let pick = |low: [f32; 3], high: [f32; 3]| {
-            [0, 1, 2].map(|axis| {
-                if is_backwards(axis) {
-                    low[axis]
-                } else {
-                    high[axis]
-                }
-            })
-        };
-        let [qx, qy, qz] = columns.q;
-        let [wx, wy, wz] = columns.widening;
         let high = columns.end[1];
         Some(Self {
-            beam: Beam {
-                near: [0, 1, 2].map(|axis| if is_backwards(axis) { axis + 3 } else { axis }),
-                near_origin: pick(low_origin, high_origin),
-                far_origin: pick(high_origin, low_origin),
-                least: [least(qx), least(qy), least(qz)],
-                most: [most(qx), most(qy), most(qz)],
-                margin: [most(wx), most(wy), most(wz)],
-                start: least(columns.start[0]),
-                octant: octant[0],
-            },
+            beam: Beam::new(columns, octant[0], [low_origin, high_origin]),
             low: columns.end[0],
             high,
             leaves: [u32::MAX; GROUP],
@@ -237,29 +245,13 @@ impl<'a> Packet<'a> {
             let is_nearer = certain & high.simd_lt(self.low) & low.simd_gt(columns.start[1]);
             let is_out = certain & (low.simd_gt(self.high) | high.simd_lt(columns.start[0]));
             let taken = is_nearer.to_bitmask() & possible;
-            self.take::<ANY>(
-                taken,
-                low,
-                high,
-                Place {
-                    leaf: number(child.index()),
-                    lane,
-                },
-            );
-            let mut unsettled = possible & !taken & !is_out.to_bitmask();
-            while unsettled != 0 {
-                let ray = unsettled.trailing_zeros() as usize & 7;
-                unsettled &= unsettled - 1;
-                self.settle::<ANY>(
-                    hierarchy,
-                    &rays[ray],
-                    ray,
-                    Place {
-                        leaf: number(child.index()),
-                        lane,
-                    },
-                );
-            }
+            let place = Place {
+                leaf: number(child.index()),
+                lane,
+            };
+            self.take::<ANY>(taken, low, high, place);
+            let unsettled = possible & !taken & !is_out.to_bitmask();
+            self.settle::<ANY>(hierarchy, rays, unsettled, place);
         }
     }
 
@@ -316,10 +308,27 @@ impl<'a> Packet<'a> {
         }
     }
 
-    /// Decides between the nearest so far and another, exactly.
+    /// Decides between the nearest so far and another, exactly, for some of the rays.
+    #[inline(always)]
+    fn settle<const ANY: bool>(
+        &mut self,
+        hierarchy: &Hierarchy,
+        rays: &[Ray<Vec3>],
+        unsettled: u32,
+        place: Place,
+    ) {
+        let mut rest = unsettled;
+        while rest != 0 {
+            let ray = rest.trailing_zeros() as usize & 7;
+            rest &= rest - 1;
+            self.settle_one::<ANY>(hierarchy, &rays[ray], ray, place);
+        }
+    }
+
+    /// The same for one of them.
     #[cold]
     #[inline(never)]
-    fn settle<const ANY: bool>(
+    fn settle_one<const ANY: bool>(
         &mut self,
         hierarchy: &Hierarchy,
         ray: &Ray<Vec3>,

@@ -156,17 +156,9 @@ impl Group {
         let reach = (splat(scene.largest) + ox.abs().fast_max(oy.abs()).fast_max(oz.abs()))
             * splat(1.0 + 4.0 * U);
         // A sum is NaN where a coordinate is, unlike a maximum.
-        let of_origin = ox.abs() + oy.abs() + oz.abs();
-        let of_direction = sx + sy + sz;
-        let is_ordinary = reach.simd_ge(splat(LEAST_REACH))
-            & reach.simd_le(splat(LARGEST_REACH))
-            & of_origin.simd_le(splat(3.0 * LARGEST_REACH))
-            & speed.simd_ge(splat(LEAST_SPEED))
-            & of_direction.simd_le(splat(LARGEST_SPEED))
-            & length.simd_ge(splat(LEAST_SPEED))
-            & length.simd_le(splat(LARGEST_SPEED))
-            & start.simd_ge(zero())
-            & start.simd_lt(end);
+        let sums = [ox.abs() + oy.abs() + oz.abs(), sx + sy + sz];
+        let is_ordinary =
+            are_ordinary(reach, sums, [speed, length]) & start.simd_ge(zero()) & start.simd_lt(end);
         self.ordinary = is_ordinary.to_bitmask();
 
         let z_is_x = sx.simd_ge(sy) & sx.simd_ge(sz);
@@ -226,6 +218,24 @@ impl Group {
     pub(super) fn ray(&self, lane: usize) -> Prepared {
         self.columns.row(lane % GROUP)
     }
+}
+
+/// Whether the sizes of rays are in the range that the margins hold for: R, the sums of the coordinates of origin and direction, and the direction's largest coordinate in
+/// both units.
+#[inline(always)]
+fn are_ordinary(
+    reach: f32x8,
+    [of_origin, of_direction]: [f32x8; 2],
+    [speed, length]: [f32x8; 2],
+) -> f32x8 {
+    let splat = f32x8::splat;
+    reach.simd_ge(splat(LEAST_REACH))
+        & reach.simd_le(splat(LARGEST_REACH))
+        & of_origin.simd_le(splat(3.0 * LARGEST_REACH))
+        & speed.simd_ge(splat(LEAST_SPEED))
+        & of_direction.simd_le(splat(LARGEST_SPEED))
+        & length.simd_ge(splat(LEAST_SPEED))
+        & length.simd_le(splat(LARGEST_SPEED))
 }
 
 #[inline(always)]

@@ -8,7 +8,7 @@ use glam::Vec3;
 
 use super::confirm::Line;
 use super::finish::Arrived;
-use super::node::Child;
+use super::node::{Child, Node};
 use super::packet::Packet;
 use super::prepared::{GROUP, Group, Prepared};
 use super::stack::Stack;
@@ -154,78 +154,130 @@ impl Walkers {
         rays: &[Ray<Vec3>],
         question: &mut Q,
     ) {
+        let Self {
+            walks,
+            group,
+            stack,
+        } = self;
         let mut queue = Queue {
             hierarchy,
             rays,
-            group: &mut self.group,
-            stack: &mut self.stack,
+            group,
+            stack,
             next: 0,
         };
-        let mut at_nodes = List::EMPTY;
-        for number in 0..AT_ONCE {
-            let Some((index, ray)) = queue.next(question) else {
-                break;
-            };
-            let walk = Walk::new(ray);
-            match self.walks.get_mut(number) {
-                Some(walker) => (walker.index, walker.walk) = (index, walk),
-                None => self.walks.push(Walker {
-                    index,
-                    walk,
-                    stack: Stack::new(),
-                }),
-            }
-            at_nodes.push_if(number, true);
-        }
-        let walks = &mut self.walks[..];
-        let nodes = &hierarchy.tree.nodes[..];
+        let mut at_nodes = start(walks, &mut queue, question);
         while at_nodes.count > 0 {
-            let (mut still_at_nodes, mut at_leaves, mut at_ends) =
-                (List::EMPTY, List::EMPTY, List::EMPTY);
-            for place in 0..at_nodes.count {
-                let number = at_nodes.get(place);
-                let Walker { walk, stack, .. } = &mut walks[number];
-                walk.visit(&nodes[walk.current.index()], stack);
-                let (is_leaf, is_end) = (walk.current.is_leaf(), walk.current == Child::END);
-                still_at_nodes.push_if(number, !is_leaf);
-                at_leaves.push_if(number, is_leaf && !is_end);
-                at_ends.push_if(number, is_end);
+            let mut round = Round::EMPTY;
+            round.visit_nodes(&hierarchy.tree.nodes, walks, &at_nodes);
+            while round.at_leaves.count > 0 {
+                round.visit_leaves::<Q>(hierarchy, rays, walks);
             }
-            while at_leaves.count > 0 {
-                let mut still_at_leaves = List::EMPTY;
-                for place in 0..at_leaves.count {
-                    let number = at_leaves.get(place);
-                    let Walker { walk, stack, index } = &mut walks[number];
-                    if !Q::ANY {
-                        hierarchy.visit_leaf(&rays[*index], walk, stack);
-                    } else if hierarchy.visit_leaf_for_any(&rays[*index], walk, stack) {
-                        walk.current = Child::END;
-                        walk.place.leaf = 0;
-                    }
-                    let (is_leaf, is_end) = (walk.current.is_leaf(), walk.current == Child::END);
-                    still_at_nodes.push_if(number, !is_leaf);
-                    still_at_leaves.push_if(number, is_leaf && !is_end);
-                    at_ends.push_if(number, is_end);
-                }
-                at_leaves = still_at_leaves;
-            }
-            for place in 0..at_ends.count {
-                let number = at_ends.get(place);
-                let Walker { walk, index, .. } = &mut walks[number];
-                if walk.place == Place::NONE {
-                    question.miss(*index);
-                } else {
-                    question.hit(hierarchy, rays, *index, walk.place);
-                }
-                if let Some((next, ray)) = queue.next(question) {
-                    *index = next;
-                    *walk = Walk::new(ray);
-                    still_at_nodes.push_if(number, true);
-                }
-            }
-            at_nodes = still_at_nodes;
+            round.start_others(walks, &mut queue, question);
+            at_nodes = round.at_nodes;
         }
         question.finish(hierarchy, rays);
+    }
+}
+
+/// The first walkers, as many as there are rays for, all at the root.
+fn start<Q: Question>(walks: &mut Vec<Walker>, queue: &mut Queue<'_>, question: &mut Q) -> List {
+    let mut at_nodes = List::EMPTY;
+    for number in 0..AT_ONCE {
+        let Some((index, ray)) = queue.next(question) else {
+            break;
+        };
+        let walk = Walk::new(ray);
+        match walks.get_mut(number) {
+            Some(walker) => (walker.index, walker.walk) = (index, walk),
+            None => walks.push(Walker {
+                index,
+                walk,
+                stack: Stack::new(),
+            }),
+        }
+        at_nodes.push_if(number, true);
+    }
+    at_nodes
+}
+
+/// Where the walkers are after a step.
+struct Round {
+    at_nodes: List,
+    at_leaves: List,
+    at_ends: List,
+}
+
+impl Round {
+    const EMPTY: Self = Self {
+        at_nodes: List::EMPTY,
+        at_leaves: List::EMPTY,
+        at_ends: List::EMPTY,
+    };
+
+    #[inline(always)]
+    fn sort(&mut self, walker: usize, at: Child) {
+        let (is_leaf, is_end) = (at.is_leaf(), at == Child::END);
+        self.at_nodes.push_if(walker, !is_leaf);
+        self.at_leaves.push_if(walker, is_leaf && !is_end);
+        self.at_ends.push_if(walker, is_end);
+    }
+
+    /// A step of those that are at a node.
+    #[inline(always)]
+    fn visit_nodes(&mut self, nodes: &[Node], walks: &mut [Walker], at_nodes: &List) {
+        for place in 0..at_nodes.count {
+            let number = at_nodes.get(place);
+            let Walker { walk, stack, .. } = &mut walks[number];
+            walk.visit(&nodes[walk.current.index()], stack);
+            self.sort(number, walk.current);
+        }
+    }
+
+    /// A step of those that are at a leaf.
+    #[inline(always)]
+    fn visit_leaves<Q: Question>(
+        &mut self,
+        hierarchy: &Hierarchy,
+        rays: &[Ray<Vec3>],
+        walks: &mut [Walker],
+    ) {
+        let at_leaves = std::mem::replace(&mut self.at_leaves, List::EMPTY);
+        for place in 0..at_leaves.count {
+            let number = at_leaves.get(place);
+            let Walker { walk, stack, index } = &mut walks[number];
+            if !Q::ANY {
+                hierarchy.visit_leaf(&rays[*index], walk, stack);
+            } else if hierarchy.visit_leaf_for_any(&rays[*index], walk, stack) {
+                walk.current = Child::END;
+                walk.place.leaf = 0;
+            }
+            self.sort(number, walk.current);
+        }
+    }
+
+    /// Answers the rays that have arrived, and starts others in their place.
+    #[inline(always)]
+    fn start_others<Q: Question>(
+        &mut self,
+        walks: &mut [Walker],
+        queue: &mut Queue<'_>,
+        question: &mut Q,
+    ) {
+        for place in 0..self.at_ends.count {
+            let number = self.at_ends.get(place);
+            let Walker { walk, index, .. } = &mut walks[number];
+            if walk.place == Place::NONE {
+                question.miss(*index);
+            } else {
+                question.hit(queue.hierarchy, queue.rays, *index, walk.place);
+            }
+            if let Some((next, ray)) = queue.next(question) {
+                *index = next;
+                *walk = Walk::new(ray);
+                self.at_nodes.push_if(number, true);
+            }
+        }
     }
 }
 
