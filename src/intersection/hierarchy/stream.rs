@@ -170,11 +170,11 @@ impl Walkers {
         while at_nodes.count > 0 {
             let mut round = Round::EMPTY;
             round.visit_nodes(&hierarchy.tree.nodes, walks, &at_nodes);
-            while round.at_leaves.count > 0 {
+            while round.leaves.count > 0 {
                 round.visit_leaves::<Q>(hierarchy, rays, walks);
             }
             round.start_others(walks, &mut queue, question);
-            at_nodes = round.at_nodes;
+            at_nodes = round.nodes;
         }
         question.finish(hierarchy, rays);
     }
@@ -203,24 +203,24 @@ fn start<Q: Question>(walks: &mut Vec<Walker>, queue: &mut Queue<'_>, question: 
 
 /// Where the walkers are after a step.
 struct Round {
-    at_nodes: List,
-    at_leaves: List,
-    at_ends: List,
+    nodes: List,
+    leaves: List,
+    ends: List,
 }
 
 impl Round {
     const EMPTY: Self = Self {
-        at_nodes: List::EMPTY,
-        at_leaves: List::EMPTY,
-        at_ends: List::EMPTY,
+        nodes: List::EMPTY,
+        leaves: List::EMPTY,
+        ends: List::EMPTY,
     };
 
     #[inline(always)]
     fn sort(&mut self, walker: usize, at: Child) {
         let (is_leaf, is_end) = (at.is_leaf(), at == Child::END);
-        self.at_nodes.push_if(walker, !is_leaf);
-        self.at_leaves.push_if(walker, is_leaf && !is_end);
-        self.at_ends.push_if(walker, is_end);
+        self.nodes.push_if(walker, !is_leaf);
+        self.leaves.push_if(walker, is_leaf && !is_end);
+        self.ends.push_if(walker, is_end);
     }
 
     /// A step of those that are at a node.
@@ -242,7 +242,7 @@ impl Round {
         rays: &[Ray<Vec3>],
         walks: &mut [Walker],
     ) {
-        let at_leaves = std::mem::replace(&mut self.at_leaves, List::EMPTY);
+        let at_leaves = std::mem::replace(&mut self.leaves, List::EMPTY);
         for place in 0..at_leaves.count {
             let number = at_leaves.get(place);
             let Walker { walk, stack, index } = &mut walks[number];
@@ -264,8 +264,8 @@ impl Round {
         queue: &mut Queue<'_>,
         question: &mut Q,
     ) {
-        for place in 0..self.at_ends.count {
-            let number = self.at_ends.get(place);
+        for place in 0..self.ends.count {
+            let number = self.ends.get(place);
             let Walker { walk, index, .. } = &mut walks[number];
             if walk.place == Place::NONE {
                 question.miss(*index);
@@ -275,7 +275,7 @@ impl Round {
             if let Some((next, ray)) = queue.next(question) {
                 *index = next;
                 *walk = Walk::new(ray);
-                self.at_nodes.push_if(number, true);
+                self.nodes.push_if(number, true);
             }
         }
     }
