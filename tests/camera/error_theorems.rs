@@ -88,7 +88,7 @@ fn refusal_is_justified<P: FloatPoint>(eye: P, target: P, up: P) -> Verdict {
 
 /// **How far the image turns.** The axis $\mathbf w$ is within $6\varepsilon$ of its exact value, coordinate by coordinate relatively. The sine of the angle between the computed axis $\mathbf u$ and the exact one is at most
 /// $\bigl(8\sqrt3\,\frac m{\lVert\mathbf c\rVert}+12\bigr)\varepsilon$, where $\mathbf c=\mathbf{up}\times(\mathbf e-\mathbf c_0)$ is the exact product with the view and $m$ the largest of its terms
-/// $\lvert a_jb_k\rvert+\lvert a_kb_j\rvert$. The quotient is about $1/\sin\varphi$ for an angle $\varphi$ between up and the view: the image turns about its middle by as much as $\varphi$ is small. That is not the fault of the
+/// $\lvert a_jb_k\rvert+\lvert a_kb_j\rvert$. The quotient is about $1/\sin\varphi$ for an angle $\varphi$ between up and the view: the smaller $\varphi$, the farther the image turns about its middle. That is not the fault of the
 /// formula; rounding the data does the same. But for an up along a coordinate axis the quotient stays near 1, as near to the view as it may be.
 ///
 /// The difference $\mathbf e-\mathbf c_0$ rounds by $\varepsilon$, its normalisation by $5\varepsilon$. In the product, each coordinate carries $2\varepsilon$ of up and $3\varepsilon$ of $\mathbf w$ (the common factor does not turn it), $1\varepsilon$ of the products

@@ -46,7 +46,7 @@ pub fn field_of_view() -> Figure {
     );
     Figure::drawn(
         "field_of_view",
-        "Half the height of the image rectangle is the distance times the tangent of *half* the field of view. An image plane twice as far away with a rectangle twice as high gives the same rays (dashed). \
+        "Half the height of the image rectangle is the distance times the tangent of *half* the field of view. An image plane that is farther away, with a rectangle that is higher in proportion (dashed), gives the same rays. \
          A larger angle takes in more of the scene, and everything becomes smaller.",
         "First drawing: an eye, an image plane at distance D and another behind it, and two rays that enclose the angle theta and meet the plane at heights h and minus h. \
          Three more drawings: the same three boxes with fields of view of 30, 60 and 90 degrees, ever smaller.",

@@ -173,7 +173,7 @@ pub fn two_projections() -> Figure {
     );
     Figure::drawn(
         "two_projections",
-        "Two boxes of the same size under both projections. Orthographic rays begin on the image plane and run in parallel: both boxes have the same image but for its place. \
+        "Two boxes of the same size, the farther one purple, under both projections. Orthographic rays begin on the image plane and run in parallel: both boxes have the same image but for its place. \
          Perspective rays begin at the eye and spread: the far box is smaller.",
         "Four drawings. Above, two boxes in space and an image rectangle with four rays through its corners: parallel on the left, spreading from an eye on the right. \
          Below, the two images: on the left both boxes have the same size, on the right the far one is smaller.",
@@ -183,14 +183,19 @@ pub fn two_projections() -> Figure {
 
 const PANEL: [u32; 2] = [400, 290];
 
+/// Of the near box and of the far one.
+const BOX_COLOURS: [Colour; 2] = [Colour::Ink, Colour::Purple];
+
 /// A camera seen from outside: its rectangle, the rays through its corners, and the boxes.
 fn outside(camera: &Camera<DVec3>, rectangle: &ImageRectangle<f64>, depth: f64) -> Drawing {
     let view = looking(at(9.0, 4.0, 4.2), at(0.0, 0.3, 0.75));
     let mut stage = Stage::parallel(view, 6.6, PANEL);
     let frame = camera.frame();
     let plane = corners(frame, rectangle, depth);
-    for [from, to] in boxes().concat() {
-        stage = stage.line(&[from, to], ink(1.6));
+    for (edges, colour) in boxes().into_iter().zip(BOX_COLOURS) {
+        for [from, to] in edges {
+            stage = stage.line(&[from, to], Stroke::new(colour, 1.6));
+        }
     }
     let [l, r] = [rectangle.left(), rectangle.right()];
     let [b, t] = [rectangle.bottom(), rectangle.top()];
@@ -214,7 +219,7 @@ fn outside(camera: &Camera<DVec3>, rectangle: &ImageRectangle<f64>, depth: f64) 
 fn image(camera: Camera<DVec3>) -> Drawing {
     let [width, height] = [PANEL[0], 265];
     let mut stage = Stage::new(camera, width, height);
-    for (edges, colour) in boxes().into_iter().zip([Colour::Ink, Colour::Purple]) {
+    for (edges, colour) in boxes().into_iter().zip(BOX_COLOURS) {
         for [from, to] in edges {
             stage = stage.line(&[from, to], Stroke::new(colour, 2.0));
         }

@@ -213,7 +213,7 @@ pub fn visits_of_pixels() -> Figure {
     }
     Figure::drawn(
         "visits_of_pixels",
-        "What the ray of each pixel costs, from dark (nothing) to light (much). Rays beside the pawn visit the root, and no triangle. Most of those that meet it visit two to four nodes and test a dozen triangles. Where boxes lie behind each other and the ray slips past what is in them, as beside the stem and at the foot, it visits up to eight. The loop would test all 542 triangles at each pixel.",
+        "What the ray of each pixel costs, from dark (nothing) to light (much). Rays beside the pawn visit the root, and no triangle. Most of those that meet it visit two to four nodes and test a dozen triangles. Where boxes lie behind each other and the ray slips past what is in them, as around the neck and at the foot, it visits up to eight. The loop would test all 542 triangles at each pixel.",
         "Two pictures in false colours of a chess pawn on a dark ground, one for the nodes visited and one for the triangles tested, with a colour scale below each. The background is dark. The pawn stands in overlapping shapes of boxes, brighter the more of them overlap, brightest beside the neck and where the stem meets the foot.",
         &drawing,
     )

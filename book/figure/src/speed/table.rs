@@ -3,6 +3,7 @@
 use std::fmt::Write as _;
 
 use super::SpeedError;
+use crate::svg::literal;
 
 /// The columns of the file, in their order.
 const COLUMNS: [&str; 13] = [
@@ -59,9 +60,9 @@ impl Row {
         key(self) == key(other)
     }
 
-    /// The name of the point.
+    /// The name of the point, in the markup of drawings.
     pub fn label(&self, names_n: bool) -> String {
-        let mut label = self.algorithm.clone();
+        let mut label = literal(&self.algorithm);
         if self.threads != "1" && !self.threads.is_empty() {
             let _ = write!(label, ", {} threads", self.threads);
         }

@@ -16,7 +16,7 @@ use std::fmt::Write as _;
 
 pub use panels::{Panel, panels};
 pub(crate) use text::estimated_width;
-pub use text::{Anchor, escape};
+pub use text::{Anchor, escape, literal};
 
 use crate::palette::Colour;
 use crate::render::Picture;
@@ -219,7 +219,7 @@ impl Drawing {
             .area(&[to, left, right], stroke.colour, 1.0)
     }
 
-    /// Text with its baseline at a point: `*S*_1` is an italic S with an index, `10^{-3}` has an exponent.
+    /// Text with its baseline at a point: `*S*_1` is an italic S with an index, `10^{-3}` has an exponent, `\\_` is an underscore.
     #[must_use]
     pub fn text(self, at: [f64; 2], markup: &str, size: f64, anchor: Anchor) -> Self {
         self.coloured_text(at, markup, size, anchor, Colour::Ink)

@@ -60,7 +60,20 @@ impl Level {
     }
 }
 
-/// Splits markup into runs: `*..*` is italic, `_x` and `_{..}` an index, `^x` and `^{..}` an exponent.
+/// `text` as markup that shows it letter by letter: names in code are full of underscores.
+#[must_use]
+pub fn literal(text: &str) -> String {
+    let mut markup = String::with_capacity(text.len());
+    for character in text.chars() {
+        if matches!(character, '*' | '_' | '^' | '\\') {
+            markup.push('\\');
+        }
+        markup.push(character);
+    }
+    markup
+}
+
+/// Splits markup into runs: `*..*` is italic, `_x` and `_{..}` an index, `^x` and `^{..}` an exponent, and `\` takes what follows as it is.
 fn runs(markup: &str) -> Vec<Run> {
     let mut runs: Vec<Run> = Vec::new();
     let mut italic = false;
@@ -85,19 +98,23 @@ fn runs(markup: &str) -> Vec<Run> {
                     italic: false,
                 });
             }
-            _ => match runs.last_mut() {
-                Some(run) if run.level == Level::Line && run.italic == italic => {
-                    run.text.push(character);
-                }
-                _ => runs.push(Run {
-                    text: character.to_string(),
-                    level: Level::Line,
-                    italic,
-                }),
-            },
+            '\\' => push_in_line(&mut runs, characters.next().unwrap_or(character), italic),
+            _ => push_in_line(&mut runs, character, italic),
         }
     }
     runs
+}
+
+/// Adds a character to the last run if that stands in the line and looks the same, and else begins a new one.
+fn push_in_line(runs: &mut Vec<Run>, character: char, italic: bool) {
+    match runs.last_mut() {
+        Some(run) if run.level == Level::Line && run.italic == italic => run.text.push(character),
+        _ => runs.push(Run {
+            text: character.to_string(),
+            level: Level::Line,
+            italic,
+        }),
+    }
 }
 
 /// The width of a text in units of its size: an estimate, because a drawing has no fonts to measure with.
@@ -188,6 +205,19 @@ mod tests {
             let letters = |text: &str| text.chars().filter(char::is_ascii_lowercase).count();
             let kept: String = runs(markup).iter().map(|run| run.text.as_str()).collect();
             assert_eq!(letters(&kept), letters(markup));
+        }
+    }
+
+    #[test]
+    fn literal_text_is_shown_letter_by_letter() {
+        for text in ["look_at_axes", "a*b^2\\", "", "_"] {
+            let shown = runs(&literal(text));
+            let in_line = shown
+                .iter()
+                .all(|run| run.level == Level::Line && !run.italic);
+            assert!(in_line, "{text}");
+            let letters: String = shown.into_iter().map(|run| run.text).collect();
+            assert_eq!(letters, text);
         }
     }
 
