@@ -37,6 +37,7 @@ mod counts;
 pub mod curve;
 mod doo_sabin;
 mod error;
+pub mod evaluate;
 pub mod limit;
 mod loop_scheme;
 pub mod mask;
