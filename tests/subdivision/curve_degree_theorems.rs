@@ -120,13 +120,11 @@ fn doubling_and_averaging_halves_the_spans() {
 /// **One scheme for all degrees.** Lane and Riesenfeld's scheme is Chaikin's for $d=2$ and the cubic one for $d=3$, with all three kinds of ends. With $d=1$ it adds the midpoints of the edges.
 ///
 /// Course: D12, slide 63, the cubic scheme: from degree 2 to degree 3 and on.
-/// Exercise: chaikin.
-/// Exercise: cubic.
 #[test]
 fn degree_two_is_chaikins_scheme_and_three_the_cubic_one() {
     Law::new(
         "subdivision::degree_two_is_chaikins_scheme_and_three_the_cubic_one",
-        suspects::cubic,
+        suspects::library,
     )
     .holds(polygons(), hard_polygons(), |points| {
         for ends in ALL_ENDS {

@@ -84,7 +84,7 @@ pub fn cubic_step<P: VectorSpace>(name: &str, points: &[P], ends: Ends) -> Optio
             }
             finer
         }
-        "closing_edge_forgotten" => {
+        "first_and_last_vertex_forgotten" => {
             let ends = if ends == Ends::Closed {
                 Ends::Open
             } else {
@@ -92,7 +92,7 @@ pub fn cubic_step<P: VectorSpace>(name: &str, points: &[P], ends: Ends) -> Optio
             };
             interleaved(points, ends, right)
         }
-        "ends_lost" => {
+        "vertices_at_kept_ends_lost" => {
             let ends = if ends == Ends::Kept { Ends::Open } else { ends };
             interleaved(points, ends, right)
         }
