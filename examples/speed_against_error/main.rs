@@ -29,6 +29,7 @@ mod float_inputs;
 mod harness;
 mod intersection;
 mod report;
+mod subdivision;
 
 /// What is done with a comparison.
 type Visitor<'a> = dyn FnMut(Comparison<'_>) + 'a;
@@ -48,6 +49,10 @@ const CHAPTERS: &[Chapter] = &[
     Chapter {
         name: "bspline",
         visit: bspline::visit,
+    },
+    Chapter {
+        name: "subdivision",
+        visit: subdivision::visit,
     },
     Chapter {
         name: "camera",

@@ -168,15 +168,14 @@ pub fn edges<P: Copy>(points: &[P], ends: Ends) -> impl Iterator<Item = [P; 2]> 
     inner.chain(closing)
 }
 
-/// The points before and behind the point of this index, where there are any: a closed polygon always has them. None for an index behind the end of an open
-/// polygon.
+/// The points before and behind the point of this index, where there are any: in a closed polygon every point has both. The index is below the number of
+/// points.
 pub fn neighbours<P: Copy>(points: &[P], index: usize, ends: Ends) -> [Option<P>; 2] {
-    let [before, next] = match ends {
-        Ends::Closed => [
-            index.checked_sub(1).or(points.len().checked_sub(1)),
-            (index + 1).checked_rem(points.len()),
-        ],
-        Ends::Open | Ends::Kept => [index.checked_sub(1), Some(index + 1)],
+    let round_the_end = |end: Option<&P>| end.filter(|_| ends == Ends::Closed).copied();
+    let before = match index.checked_sub(1) {
+        Some(before) => points.get(before).copied(),
+        None => round_the_end(points.last()),
     };
-    [before, next].map(|index| points.get(index?).copied())
+    let next = points.get(index + 1).copied();
+    [before, next.or_else(|| round_the_end(points.first()))]
 }

@@ -1,0 +1,12 @@
+//! The variants of the chapter *subdivision*.
+
+use crate::Visitor;
+use crate::harness::Effort;
+
+#[path = "subdivision/curves.rs"]
+mod curves;
+
+/// Hands all comparisons to the visitor.
+pub fn visit(effort: Effort, visitor: &mut Visitor<'_>) {
+    curves::visit(effort, visitor);
+}
