@@ -95,6 +95,7 @@ impl Connectivity {
         }
         joined.refuse_repeated_vertices()?;
         joined.find_twins()?;
+        joined.refuse_turned_repetitions()?;
         joined.number_edges();
         joined.choose_outgoing()?;
         Ok(joined)
@@ -307,6 +308,23 @@ impl Connectivity {
             start = end as usize;
         }
         self.twins = twins;
+        Ok(())
+    }
+
+    /// Refuses two faces that are one and the same, seen from both sides: all edges of the one are edges of the other.
+    fn refuse_turned_repetitions(&self) -> Result<(), SubdivisionError> {
+        for face in 0..index_of(self.face_count()) {
+            let twins = self.half_edges_of(face).map(|h| self.twin(h));
+            let mut beyond = twins.map(|twin| twin.map(|g| self.face_of(g)));
+            if let Some(other) = beyond.next().flatten()
+                && beyond.all(|face| face == Some(other))
+            {
+                return Err(SubdivisionError::FaceRepeated {
+                    face: other as usize,
+                    first: face as usize,
+                });
+            }
+        }
         Ok(())
     }
 

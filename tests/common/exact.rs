@@ -34,6 +34,18 @@ enum Number {
 use Number::Narrow;
 
 impl Exact {
+    /// The number in double precision, within two units in the last place.
+    pub fn to_f64(self) -> f64 {
+        let quotient = |numerator: Option<f64>, denominator: Option<f64>| {
+            let parts = numerator.zip(denominator);
+            parts.map_or(f64::NAN, |(numerator, denominator)| numerator / denominator)
+        };
+        match self.0 {
+            Narrow(ratio) => quotient(ratio.numer().to_f64(), ratio.denom().to_f64()),
+            Number::Wide(ratio) => quotient(ratio.numer().to_f64(), ratio.denom().to_f64()),
+        }
+    }
+
     fn widened(self) -> Ratio<Wide> {
         match self.0 {
             Narrow(ratio) => Ratio::new_raw(wide(*ratio.numer()), wide(*ratio.denom())),

@@ -4,8 +4,10 @@
     reason = "theorems and hard cases promise the same bits"
 )]
 
+mod catmull_clark_theorems;
 #[path = "../common/mod.rs"]
 mod common;
+mod connectivity_hard_cases;
 mod count_theorems;
 mod curve_degree_theorems;
 mod curve_error_theorems;
@@ -13,12 +15,24 @@ mod curve_hard_cases;
 mod curve_inputs;
 mod curve_shape_theorems;
 mod curve_theorems;
+mod doo_sabin_theorems;
 mod limit_inputs;
 mod limit_tangent_theorems;
 mod limit_theorems;
+mod loop_theorems;
+mod mask_theorems;
 mod meshes;
 mod mistakes;
+mod nets;
+mod plain_rules;
+mod repair_theorems;
+#[path = "../ground_floor/scratch.rs"]
+#[allow(dead_code, reason = "the chapter uses its part of this toolbox")]
+mod scratch;
 mod snapshots;
+mod sqrt3_theorems;
+mod step_error_theorems;
 mod step_hard_cases;
+mod step_theorems;
 mod steps;
 mod suspects;

@@ -16,6 +16,8 @@ use facette::subdivision::{
 use proptest::prelude::*;
 
 use crate::common::exact::{Exact, fraction};
+use crate::common::law::{Verdict, expect_equal};
+use crate::meshes::Topology;
 
 /// A scheme with its options.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -106,6 +108,47 @@ impl Scheme {
         };
         after.expect("a small mesh")
     }
+}
+
+/// The faces with points that do not matter.
+pub fn flat(topology: &Topology) -> Mesh<[Exact; 1]> {
+    topology.with_points(vec![[fraction(0, 1)]; topology.vertex_count])
+}
+
+/// Passes where the closed polygons are the same, whatever each begins with and whichever comes first.
+pub fn expect_same_cycles<P: VectorSpace>(expected: &[Vec<P>], got: &[Vec<P>]) -> Verdict {
+    let is_turned = |a: &Vec<P>, b: &Vec<P>| {
+        let doubled = [&a[..], a].concat();
+        a.len() == b.len() && doubled.windows(a.len()).any(|turned| turned == &b[..])
+    };
+    let is_there = |polygon: &Vec<P>| got.iter().any(|other| is_turned(polygon, other));
+    if expected.len() == got.len() && expected.iter().all(is_there) {
+        return Ok(());
+    }
+    expect_equal(&expected, &got)
+}
+
+/// The points of each boundary, in its direction.
+pub fn boundary_polygons<P: VectorSpace>(mesh: &Mesh<P>) -> Vec<Vec<P>> {
+    let joined = Connectivity::new(mesh).expect("a manifold");
+    let mut seen = vec![false; joined.vertex_count()];
+    let mut polygons = Vec::new();
+    for edge in (0..).take(joined.edge_count()) {
+        let mut vertex = joined.origin(joined.half_edge_of(edge));
+        let mut polygon = Vec::new();
+        while joined.is_boundary_edge(edge) && !std::mem::replace(&mut seen[vertex as usize], true)
+        {
+            polygon.push(mesh.positions[vertex as usize]);
+            let leaving = joined
+                .outgoing(vertex)
+                .expect("a boundary vertex has a face");
+            vertex = joined.target(leaving);
+        }
+        if !polygon.is_empty() {
+            polygons.push(polygon);
+        }
+    }
+    polygons
 }
 
 /// Both rules for corners.

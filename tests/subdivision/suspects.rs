@@ -93,3 +93,13 @@ pub fn library() -> LikelyMistake {
         hint: "a defect of the library: no exercise replaces this code",
     }
 }
+
+/// Suspects for `catmull_clark`.
+pub fn catmull_clark() -> LikelyMistake {
+    library()
+}
+
+/// Suspects for `loop_subdivision`.
+pub fn loop_subdivision() -> LikelyMistake {
+    library()
+}
