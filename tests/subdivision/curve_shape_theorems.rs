@@ -196,7 +196,7 @@ fn chaikin_keeps_a_convex_polygon_convex() {
 }
 
 /// **How many points.** In $k$ rounds of degree $d$ a closed polygon of $n$ points becomes one of $2^kn$ points, an open one of $2^k(n-d)+d$, and one with kept ends of $2^kn$ for $d=2$ and of $2^k(n-1)+1$ for odd $d$. An open
-/// polygon with fewer than $d$ points dwindles to nothing; with $d$ points it keeps their number and shrinks to a point.
+/// polygon with fewer than $d$ points dwindles to nothing; one with $d$ points keeps their number.
 ///
 /// Course: D04, slide 54, Chaikin's algorithm: n points become 2n.
 #[test]

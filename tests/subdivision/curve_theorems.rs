@@ -139,8 +139,8 @@ fn quadratic_functions_sum_to_one_with_the_falling_numerator() {
     );
 }
 
-/// **Pieces of three points.** On integer knots the quadratic B-spline with $n+1$ control points has $n-1$ pieces. With the local parameter $u\in[0,1]$ the piece number $k$ is
-/// $P_k(u)=\begin{bmatrix}1&u&u^2\end{bmatrix}M\begin{bmatrix}P_k\\P_{k+1}\\P_{k+2}\end{bmatrix}$ with $M=\frac12\begin{bmatrix}1&1&0\\-2&2&0\\1&-2&1\end{bmatrix}$, for all $k$ alike.
+/// **Pieces of three points.** On integer knots the quadratic B-spline with $n+1$ control points has $n-1$ pieces. With the local parameter $u\in[0,1]$ the piece number $k$ is, for all $k$ alike,
+/// $$P_k(u)=\begin{bmatrix}1&u&u^2\end{bmatrix}M\begin{bmatrix}P_k\\P_{k+1}\\P_{k+2}\end{bmatrix},\qquad M=\frac12\begin{bmatrix}1&1&0\\-2&2&0\\1&-2&1\end{bmatrix}.$$
 ///
 /// Course: D08, slide 57, Chaikin and B-splines: a piece of the curve for each three points.
 /// Course: D10, slide 59, Chaikin and B-splines: the matrix M.
@@ -167,8 +167,7 @@ fn quadratic_bspline_is_a_matrix_times_three_points() {
     );
 }
 
-/// **Half a piece has the points that Chaikin cuts.** On the first half of a piece $P(u/2)=\begin{bmatrix}1&u&u^2\end{bmatrix}C\,M\,P$ with $C=\operatorname{diag}(1,\frac12,\frac14)$. That is a piece with the control points
-/// $M^{-1}CM\,P$; and on the second half the points are $M^{-1}DM\,P$, $D$ from $(1+u)/2$ in place of $u$:
+/// **Half a piece has the points that Chaikin cuts.** Let $C$ be the diagonal matrix of $1,\frac12,\frac14$. The first half of a piece is a piece with the control points $M^{-1}CM\,P$; and the second half one with the points $M^{-1}DM\,P$, where $D$ comes from $(1+u)/2$ in place of $u/2$:
 /// $$M^{-1}CM=\frac14\begin{bmatrix}3&1&0\\1&3&0\\0&3&1\end{bmatrix},\qquad M^{-1}DM=\frac14\begin{bmatrix}1&3&0\\0&3&1\\0&1&3\end{bmatrix}.$$
 /// The rows are the masks of Chaikin: three points become $Q_0,R_0,Q_1,R_1$, of which the first three are those of the first half, and the last three those of the second.
 ///
@@ -229,7 +228,7 @@ fn chaikins_limit_is_the_uniform_quadratic_bspline() {
 }
 
 /// **The limit touches every edge in its middle.** The limit of Chaikin's scheme passes through the midpoint of every edge, at the knot $i$ through that of $P_iP_{i+1}$, and its derivative there is
-/// $P_{i+1}-P_i$. Every polygon of every round is touched so.
+/// $P_{i+1}-P_i$. So are the edges of every later polygon, since it is a control polygon of the same curve.
 ///
 /// Course: D05, slide 55, Chaikin's algorithm: the limit is C¹.
 #[test]

@@ -36,14 +36,17 @@ use crate::algebra::{Scalar, VectorSpace};
 // ANCHOR: chaikin
 pub fn chaikin_step<P: VectorSpace>(points: &[P], ends: Ends) -> Vec<P> {
     let [near, far] = [P::Scalar::ratio(1, 4), P::Scalar::ratio(3, 4)];
-    let kept = |end: Option<&P>| end.filter(|_| ends == Ends::Kept).copied();
     let mut finer = Vec::with_capacity(2 * points.len());
-    finer.extend(kept(points.first()));
+    if ends == Ends::Kept {
+        finer.extend(points.first());
+    }
     for [p, next] in edges(points, ends) {
         finer.push(p.lerp(next, near));
         finer.push(p.lerp(next, far));
     }
-    finer.extend(kept(points.last()));
+    if ends == Ends::Kept {
+        finer.extend(points.last());
+    }
     finer
 }
 // ANCHOR_END: chaikin
