@@ -62,6 +62,16 @@ pub enum SubdivisionError {
         /// How many vertices it has.
         found: usize,
     },
+    /// What is asked for is had from quadrilaterals.
+    #[error(
+        "face {face} has {found} vertices: this is for quadrilaterals, which one step of Catmull-Clark makes of any mesh"
+    )]
+    NotAQuadrilateral {
+        /// Which face, counted from 0.
+        face: usize,
+        /// How many vertices it has.
+        found: usize,
+    },
     /// There must be one point for each vertex.
     #[error("{found} points for {expected} vertices: there must be one for each")]
     PointCount {

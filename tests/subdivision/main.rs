@@ -16,6 +16,10 @@ mod curve_inputs;
 mod curve_shape_theorems;
 mod curve_theorems;
 mod doo_sabin_theorems;
+mod eigen_theorems;
+mod limit_distance_theorems;
+mod limit_error_theorems;
+mod limit_hard_cases;
 mod limit_inputs;
 mod limit_tangent_theorems;
 mod limit_theorems;
@@ -29,6 +33,7 @@ mod repair_theorems;
 #[path = "../ground_floor/scratch.rs"]
 #[allow(dead_code, reason = "the chapter uses its part of this toolbox")]
 mod scratch;
+mod smoothness_theorems;
 mod snapshots;
 mod sqrt3_theorems;
 mod step_error_theorems;

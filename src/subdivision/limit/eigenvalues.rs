@@ -13,8 +13,8 @@ use crate::subdivision::mask::{loop_vertex_weight, sqrt3_neighbours_weight, turn
 pub struct Eigenvalues<S> {
     /// λ, the two-fold eigenvalue of the tangents: the ring shrinks by this factor in a step.
     pub tangent: S,
-    /// |μ|, the largest absolute value of all the others: the ring's distance from the tangent plane shrinks by it. Curvature stays bounded where
-    /// μ <= λ², and the surface is flat there where μ < λ².
+    /// |μ|, the largest absolute value of all the others: the ring's distance from the tangent plane shrinks by it. Curvature is
+    /// unbounded where μ > λ², and the surface is flat in the vertex where μ < λ².
     pub next: S,
 }
 
@@ -53,10 +53,12 @@ pub fn loop_eigenvalues<S: Real>(n: usize) -> Eigenvalues<S> {
     }
 }
 
-/// |λ| and |μ| of √3 at a vertex of valence `n >= 3`.
+/// |λ| and |μ| of √3 at a vertex of valence `n >= 3`, whose neighbours have valence 6 as they have after two steps.
 pub fn sqrt3_eigenvalues<S: Real>(n: usize) -> Eigenvalues<S> {
     let vertex = sqrt3_vertex_eigenvalue(sqrt3_neighbours_weight(turn_cosine(1, n)));
-    let mut next = vec![vertex];
+    // Beyond the ring, constants: s' = (2s + r)/18 for the vertices between two neighbours, r' = s/3 for those behind one.
+    let outer = (S::one() + S::from_i32(7).sqrt()) / S::from_i32(18);
+    let mut next = vec![vertex, outer];
     if n >= 4 {
         next.push(sqrt3_ring_eigenvalue(turn_cosine(2, 2 * n)));
     }

@@ -36,6 +36,7 @@
 //! *In the book*: [Limits](../../../../subdivision/limits.html).
 
 mod catmull_clark;
+mod distance;
 mod doo_sabin;
 mod eigenvalues;
 mod ring;
@@ -45,6 +46,7 @@ mod turn;
 pub use catmull_clark::{
     catmull_clark_limit_positions, catmull_clark_limits, catmull_clark_limits_with,
 };
+pub use distance::{DistanceBound, catmull_clark_distance_bound, loop_distance_bound};
 pub use doo_sabin::{doo_sabin_limits, doo_sabin_limits_with};
 pub use eigenvalues::{
     Eigenvalues, catmull_clark_eigenvalues, catmull_clark_ring_eigenvalues,
