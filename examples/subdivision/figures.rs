@@ -2,6 +2,8 @@
 
 #[path = "figures/curves.rs"]
 mod curves;
+#[path = "figures/limits.rs"]
+mod limits;
 
 use facette_figure::FigureMaker;
 
@@ -22,5 +24,25 @@ pub const FIGURES: &[FigureMaker] = &[
     FigureMaker {
         name: "polygon_convergence",
         make: curves::polygon_convergence,
+    },
+    FigureMaker {
+        name: "eigenvalues",
+        make: limits::eigenvalues,
+    },
+    FigureMaker {
+        name: "doo_sabin_normals",
+        make: limits::doo_sabin_normals,
+    },
+    FigureMaker {
+        name: "curvature_growth",
+        make: limits::curvature_growth,
+    },
+    FigureMaker {
+        name: "curvature_by_level",
+        make: limits::curvature_by_level,
+    },
+    FigureMaker {
+        name: "mesh_convergence",
+        make: limits::mesh_convergence,
     },
 ];

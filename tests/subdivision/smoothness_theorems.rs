@@ -264,7 +264,6 @@ fn weight_of_valence_six_leaves_a_tip_at_valence_three() {
 /// $\frac9{16}$ in each step: the mean curvature goes to zero in every vertex, and the surface is no box spline.
 ///
 /// Course: D26, slide 78, Loop's weight: its eigenvalues.
-/// Erratum: the slide's $\cos\frac{3\pi}n$ must read $\cos\frac{2\pi}n$. With it $\alpha_6=\frac58$, the weight of the box spline; the slide's gives $\frac{33}{64}$ and a surface that is not $C^2$ anywhere.
 #[test]
 fn printed_cosine_flattens_regular_vertices() {
     let law = Law::new(
@@ -299,20 +298,21 @@ fn printed_cosine_flattens_regular_vertices() {
     });
 }
 
-/// The largest height of a corner of the faces around vertex 0 over the tangent plane, over the square of its distance: half a discrete normal
-/// curvature. The neighbours alone would not do: at valence 3 of Catmull-Clark their heights vanish in the eigenvector.
+/// The largest height of a corner of the faces around vertex 0 over the tangent plane, over the square of its distance within it: half a discrete
+/// normal curvature. The neighbours alone would not do: at valence 3 of Catmull-Clark their heights vanish in the eigenvector.
 fn curvature(scheme: Scheme, mesh: &Mesh<Point>) -> f64 {
     let limit = limits(scheme, mesh, Corners::Sharp)[0];
     let normal = limit.normal().expect("a tangent plane");
     let around = mesh.faces().filter(|face| face.contains(&0)).flatten();
     let bends = around.filter(|&&v| v != 0).map(|&v| {
         let offset = mesh.positions[v as usize].minus(limit.position);
-        offset.dot(normal).abs() / offset.dot(offset)
+        let height = offset.dot(normal);
+        height.abs() / (offset.dot(offset) - height * height)
     });
     bends.fold(0.0, f64::max)
 }
 
-/// **Curvature that grows without end.** Heights over the tangent plane shrink by $\mu$, squares of distances by $\lambda^2$: a discrete curvature at the vertex is multiplied by $\mu/\lambda^2$ in every step. For Catmull-Clark at $n=5$ that is $1.124$, at $n=8$ it is $1.31$; for Loop at $n=7$ $1.13$. At regular vertices it is 1, and the
+/// **Curvature that grows without end.** Heights over the tangent plane shrink by $\mu$, squares of distances by $\lambda^2$: a discrete curvature at the vertex is multiplied by $\mu/\lambda^2$ in every step. For Catmull-Clark at $n=5$ that is $1.124$, at $n=8$ it is $1.339$; for Loop at $n=7$ $1.13$. At regular vertices it is 1, and the
 /// curvature converges. At $n=3$ Catmull-Clark has $0.991$, and the surface becomes flat in the point. The surfaces are $C^2$ elsewhere and $C^1$ there.
 ///
 /// Course: D23, slide 76, Catmull-Clark: C2 but at extraordinary points.

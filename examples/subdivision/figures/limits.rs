@@ -6,8 +6,8 @@ use facette::algebra::{Vector3, VectorSpace, length, unit_vector};
 use facette::mesh::Mesh;
 use facette::subdivision::limit::{
     DistanceBound, Eigenvalues, catmull_clark_distance_bound, catmull_clark_eigenvalues,
-    catmull_clark_limit_positions, catmull_clark_limits, doo_sabin_eigenvalues, loop_distance_bound,
-    loop_eigenvalues, loop_limit_positions, sqrt3_eigenvalues, turn_point,
+    catmull_clark_limit_positions, catmull_clark_limits, doo_sabin_eigenvalues,
+    loop_distance_bound, loop_eigenvalues, loop_limit_positions, sqrt3_eigenvalues, turn_point,
 };
 use facette::subdivision::{
     Connectivity, Corners, DooSabinWeights, catmull_clark, doo_sabin, loop_subdivision,
@@ -66,7 +66,11 @@ pub fn eigenvalues() -> Figure {
 
 /// μ/λ² against the valence.
 pub fn curvature_growth() -> Figure {
-    let plot = Plot::new("Growth of curvature", "valence n, or corners of the face", "μ / λ²");
+    let plot = Plot::new(
+        "Growth of curvature",
+        "valence n, or corners of the face",
+        "μ / λ²",
+    );
     plotted(
         "curvature_growth",
         "The factor $\\mu/\\lambda^2$ by which curvature at the vertex is multiplied in every step. Above 1 it grows without end; below 1 the surface becomes flat. At the regular valence, 4 or 6, it is 1, and the surface a spline.",
@@ -93,7 +97,9 @@ fn near(mesh: &Mesh<Point>, wanted: &[u32], rings: usize) -> Mesh<Point> {
             });
         }
     }
-    let renumbered = kept.iter().map(|face| face.iter().map(|v| numbers[v]).collect::<Vec<u32>>());
+    let renumbered = kept
+        .iter()
+        .map(|face| face.iter().map(|v| numbers[v]).collect::<Vec<u32>>());
     Mesh::new(points, renumbered).expect("a part of a mesh")
 }
 
@@ -126,7 +132,8 @@ fn angles_at_the_tip(n: u32, weights: DooSabinWeights, rounds: u32) -> Vec<[f64;
         // The face of the tip first, so that it is the first of the next round.
         let is_tip = |face: &&[u32]| face.iter().all(|&v| v < n);
         let (first, others): (Vec<_>, Vec<_>) = part.faces().partition(is_tip);
-        mesh = Mesh::new(part.positions.clone(), first.into_iter().chain(others)).expect("as before");
+        mesh =
+            Mesh::new(part.positions.clone(), first.into_iter().chain(others)).expect("as before");
         angles.push([f64::from(round), largest_angle(&mesh)]);
     }
     angles
@@ -136,20 +143,25 @@ fn largest_angle(mesh: &Mesh<Point>) -> f64 {
     let normals: Vec<Point> = mesh
         .faces()
         .map(|face| {
-            let at = |k: usize| mesh.positions[face[k] as usize].minus(mesh.positions[face[0] as usize]);
+            let at =
+                |k: usize| mesh.positions[face[k] as usize].minus(mesh.positions[face[0] as usize]);
             let sum = (1..face.len() - 1).fold([0.0; 3], |sum, k| sum.plus(at(k).cross(at(k + 1))));
             unit_vector(sum).expect("a face with an area")
         })
         .collect();
     let angle = |a: Point, b: Point| length(a.cross(b)).atan2(a.dot(b)).to_degrees();
-    let pairs = normals.iter().flat_map(|&a| normals.iter().map(move |&b| angle(a, b)));
+    let pairs = normals
+        .iter()
+        .flat_map(|&a| normals.iter().map(move |&b| angle(a, b)));
     pairs.fold(0.0, f64::max)
 }
 
 /// How the normals around an extraordinary point of Doo-Sabin come together.
 pub fn doo_sabin_normals() -> Figure {
     let panel = |weights, title| {
-        let plot = Plot::new(title, "rounds", "largest angle / °").log_y().height(560.0);
+        let plot = Plot::new(title, "rounds", "largest angle / °")
+            .log_y()
+            .height(560.0);
         let plot = [3, 5, 8, 20].into_iter().fold(plot, |plot, n| {
             plot.line(&format!("n = {n}"), &angles_at_the_tip(n, weights, 12))
         });
@@ -173,11 +185,22 @@ fn fan(n: u32, is_saddle: bool) -> Mesh<Point> {
     let place = |k: u32, half: usize, radius: f64| {
         let [x, y] = turn_point::<f64>(2 * k as usize + half, 2 * n as usize);
         let [wave, _] = turn_point::<f64>(2 * (2 * k as usize + half), 2 * n as usize);
-        [radius * x, radius * y, if is_saddle { radius * radius * wave } else { radius * radius }]
+        [
+            radius * x,
+            radius * y,
+            if is_saddle {
+                radius * radius * wave
+            } else {
+                radius * radius
+            },
+        ]
     };
     let inner = (0..n).map(|k| place(k, 0, 1.0));
     let outer = (0..n).map(|k| place(k, 1, std::f64::consts::SQRT_2));
-    let points = std::iter::once([0.0; 3]).chain(inner).chain(outer).collect();
+    let points = std::iter::once([0.0; 3])
+        .chain(inner)
+        .chain(outer)
+        .collect();
     let faces = (0..n).map(|k| [0, 1 + k, 1 + n + k, 1 + (k + 1) % n]);
     Mesh::new(points, faces).expect("a fan")
 }
@@ -198,18 +221,20 @@ fn largest_curvature(mesh: &Mesh<Point>) -> f64 {
 /// Curvature at an extraordinary vertex of Catmull-Clark, level after level.
 pub fn curvature_by_level() -> Figure {
     let plot = Plot::new("Curvature at the vertex", "level", "curvature, level 0 = 1").log_y();
-    let plot = [(3, false), (4, true), (5, true), (8, true)].into_iter().fold(plot, |plot, (n, is_saddle)| {
-        let mut mesh = fan(n, is_saddle);
-        let mut points = Vec::new();
-        for level in 0..=16 {
-            points.push([f64::from(level), largest_curvature(&mesh)]);
-            let fine = catmull_clark(&joined(&mesh), &mesh.positions, Corners::Sharp);
-            mesh = near(&fine.expect("a small mesh"), &[0], 2);
-        }
-        let first = points[0][1];
-        let scaled: Vec<[f64; 2]> = points.iter().map(|[x, y]| [*x, y / first]).collect();
-        plot.line(&format!("n = {n}"), &scaled)
-    });
+    let plot = [(3, false), (4, true), (5, true), (8, true)]
+        .into_iter()
+        .fold(plot, |plot, (n, is_saddle)| {
+            let mut mesh = fan(n, is_saddle);
+            let mut points = Vec::new();
+            for level in 0..=16 {
+                points.push([f64::from(level), largest_curvature(&mesh)]);
+                let fine = catmull_clark(&joined(&mesh), &mesh.positions, Corners::Sharp);
+                mesh = near(&fine.expect("a small mesh"), &[0], 2);
+            }
+            let first = points[0][1];
+            let scaled: Vec<[f64; 2]> = points.iter().map(|[x, y]| [*x, y / first]).collect();
+            plot.line(&format!("n = {n}"), &scaled)
+        });
     plotted(
         "curvature_by_level",
         "Curvature at a vertex of valence $n$ under Catmull-Clark, measured by the heights of the neighbours over the tangent plane and their distances. At the regular $n=4$ it converges; at 5 and 8 it grows by the same factor in every level, without end; at 3 it goes, slowly, to zero. Control points on a saddle, \
@@ -223,7 +248,14 @@ pub fn curvature_by_level() -> Figure {
 fn solid(is_quad: bool) -> Mesh<Point> {
     if is_quad {
         let corner = |k: u32| [k & 1, k >> 1 & 1, k >> 2].map(|bit| 2.0 * f64::from(bit) - 1.0);
-        let faces = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
+        let faces = [
+            [0, 2, 3, 1],
+            [4, 5, 7, 6],
+            [0, 1, 5, 4],
+            [2, 6, 7, 3],
+            [0, 4, 6, 2],
+            [1, 3, 7, 5],
+        ];
         Mesh::new((0..8).map(corner).collect(), faces).expect("a cube")
     } else {
         let points = (0..6).map(|k: usize| {
@@ -231,7 +263,16 @@ fn solid(is_quad: bool) -> Mesh<Point> {
             point[k / 2] = if k.is_multiple_of(2) { 1.0 } else { -1.0 };
             point
         });
-        let faces = [[0, 2, 4], [2, 1, 4], [1, 3, 4], [3, 0, 4], [2, 0, 5], [1, 2, 5], [3, 1, 5], [0, 3, 5]];
+        let faces = [
+            [0, 2, 4],
+            [2, 1, 4],
+            [1, 3, 4],
+            [3, 0, 4],
+            [2, 0, 5],
+            [1, 2, 5],
+            [3, 1, 5],
+            [0, 3, 5],
+        ];
         Mesh::new(points.collect(), faces).expect("an octahedron")
     }
 }
@@ -259,7 +300,10 @@ fn convergence_of(is_quad: bool) -> [Vec<[f64; 2]>; 2] {
             loop_limit_positions(&connectivity, points, Corners::Sharp)
         };
         let limits = limits.expect("a point for each vertex");
-        let distances = points.iter().zip(limits).map(|(&p, limit)| p.minus(limit).largest_coordinate());
+        let distances = points
+            .iter()
+            .zip(limits)
+            .map(|(&p, limit)| p.minus(limit).largest_coordinate());
         measured.push([f64::from(level), distances.fold(0.0, f64::max)]);
         bounds.push([f64::from(level), bound.after(level)]);
         let fine = if is_quad {

@@ -26,8 +26,8 @@ use crate::subdivision::{Connectivity, Corners, SubdivisionError};
 ///
 /// # Accuracy
 ///
-/// For a vertex of valence n in faces of at most m corners within (2n + m + 8)u times the largest coordinate difference to a corner of its
-/// faces, and u of the position's own coordinate (tested as `limit_positions_are_as_accurate_as_they_say`).
+/// For a vertex of valence n in faces of at most m corners within 6(n + m + 5)/(n + 5) u times the largest coordinate difference to a corner of
+/// its faces, and u of the position's own coordinate (tested as `limits_are_as_accurate_as_they_say`).
 ///
 /// # Cost
 ///
@@ -45,6 +45,11 @@ pub fn catmull_clark_limit_positions<P: VectorSpace>(
 }
 
 /// Position and tangents of the limit surface of Catmull-Clark at every vertex.
+///
+/// # Accuracy
+///
+/// Positions as [`catmull_clark_limit_positions`]; tangents at inner vertices within 2(n + m + 40)u times the largest coordinate difference to
+/// a corner of the faces, wherever the mesh lies (tested as `limits_are_as_accurate_as_they_say`).
 ///
 /// # Edge cases
 ///

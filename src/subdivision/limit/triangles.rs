@@ -24,8 +24,8 @@ use crate::subdivision::{Connectivity, Corners, SubdivisionError};
 ///
 /// # Accuracy
 ///
-/// For a vertex of valence n within (n + 8)u times the largest coordinate difference to a neighbour, and u of the position's own coordinate
-/// (tested as `limit_positions_are_as_accurate_as_they_say`).
+/// For a vertex of valence n within 0.63 (n + 15)u times the largest coordinate difference to a neighbour, and u of the position's own
+/// coordinate (tested as `limits_are_as_accurate_as_they_say`).
 pub fn loop_limit_positions<P: VectorSpace>(
     connectivity: &Connectivity,
     points: &[P],
