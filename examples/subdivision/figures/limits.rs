@@ -73,8 +73,8 @@ pub fn curvature_growth() -> Figure {
     );
     plotted(
         "curvature_growth",
-        "The factor $\\mu/\\lambda^2$ by which curvature at the vertex is multiplied in every step. Above 1 it grows without end; below 1 the surface becomes flat. At the regular valence, 4 or 6, it is 1, and the surface a spline.",
-        "A plot of five curves over the valence from 3 to 24. All start at or above one at valence 3 or near it, come down to one or a little below, and four of them rise above one from valence 5 or 7 on, towards values between 1.5 and 1.8.",
+        "The factor $\\mu/\\lambda^2$ by which curvature at the vertex is multiplied in every step. Above 1 it grows without end; below 1 the surface becomes flat. At the regular valence, 4 or 6, it is 1, and the surface a spline. At valence 3 Loop, $\\sqrt3$ and averaging have their largest values: there $\\lambda$ is very small.",
+        "A plot of five curves over the valence from 3 to 24. Three begin between 1.8 and 2 at valence 3 and fall to one at 4; Catmull-Clark begins just below one. From 5 or 7 on four curves rise and level off between 1.3 and 1.6. The one of Doo's and Sabin's own weights is constant at one.",
         &against_valence(plot, |e| e.next / (e.tangent * e.tangent)),
     )
 }
@@ -161,7 +161,7 @@ pub fn doo_sabin_normals() -> Figure {
     let panel = |weights, title| {
         let plot = Plot::new(title, "rounds", "largest angle / °")
             .log_y()
-            .height(560.0);
+            .height(330.0);
         let plot = [3, 5, 8, 20].into_iter().fold(plot, |plot, n| {
             plot.line(&format!("n = {n}"), &angles_at_the_tip(n, weights, 12))
         });
@@ -175,8 +175,8 @@ pub fn doo_sabin_normals() -> Figure {
         "doo_sabin_normals",
         "The largest angle between two faces around an extraordinary point, the tip of a lopsided pyramid over $n$ sides, round after round of Doo-Sabin. It goes to zero: there is a tangent plane. With Doo's and Sabin's own weights it is halved in every round, whatever $n$; with averaging at $n=20$ it \
          takes fourteen rounds to halve.",
-        "Two plots with a logarithmic axis of angles. On the left four lines fall together by a half in each round. On the right the lines for 3, 5 and 8 fall at different rates, the one for 20 hardly at all.",
-        &panels(2, &row),
+        "Two plots with a logarithmic axis of angles over 12 rounds. In the upper one four lines fall by a half in each round. In the lower one the lines for 3, 5 and 8 fall at different rates, and the one for 20 becomes nearly level.",
+        &panels(1, &row),
     )
 }
 
@@ -237,7 +237,7 @@ pub fn curvature_by_level() -> Figure {
         });
     plotted(
         "curvature_by_level",
-        "Curvature at a vertex of valence $n$ under Catmull-Clark, measured by the heights of the neighbours over the tangent plane and their distances. At the regular $n=4$ it converges; at 5 and 8 it grows by the same factor in every level, without end; at 3 it goes, slowly, to zero. Control points on a saddle, \
+        "Curvature at a vertex of valence $n$ under Catmull-Clark, measured by the heights of the corners of its faces over the tangent plane, and their distances. At the regular $n=4$ it converges; at 5 and 8 it grows by the same factor in every level, without end; at 3 it goes to zero, by one percent a level. Control points on a saddle, \
          for $n=3$ on a cup.",
         "A plot with a logarithmic axis over the levels 0 to 16. The line for valence 4 becomes level, those for 5 and 8 rise steadily, the one for 3 falls a little.",
         &plot,
@@ -328,7 +328,7 @@ pub fn mesh_convergence() -> Figure {
         .line("octahedron, bound", &octahedron_bound);
     plotted(
         "mesh_convergence",
-        "The largest difference of a coordinate between a vertex and its limit (marks), and the bound that is known beforehand, for every point of the mesh (lines). The vertices come nearer by a quarter in every level, as on a regular mesh. The bound must allow for the rate at which second differences shrink at irregular vertices. A vertex moved by the limit mask has no distance left.",
+        "The largest difference of a coordinate between a vertex and its limit (marks), and the bound that is known beforehand, for every point of the mesh (lines). The vertices come nearer by a quarter in every level, as on a regular mesh. The bound looks only one step ahead at a time: at the valence 3 of the cube it allows for $\\rho=\\frac23$, where the true rate of the ring is 0.41, and so it falls behind. A vertex moved by the limit mask has no distance left.",
         "A plot with a logarithmic axis over the levels 0 to 6. Two rows of marks fall by a factor of four a level; two straight lines above them fall less steeply.",
         &plot,
     )
