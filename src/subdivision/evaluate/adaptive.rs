@@ -12,15 +12,13 @@ pub(super) struct Anchored<P, T> {
     pub local: T,
 }
 
-/// The surface above a face, or above a part of one.
+/// A piece of a surface.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Patch<P, const N: usize> {
     /// A polynomial.
     Regular(Box<Anchored<P, [P; N]>>),
     /// The corner of this number, of all the surface's corners.
     Corner(usize),
-    /// Four patches, as [`Cut::child`] numbers them.
-    Split(Box<[Patch<P, N>; 4]>),
 }
 
 /// An irregular patch with its extraordinary vertex at the parameter (0, 0), and N points to each regular patch.
@@ -41,15 +39,13 @@ pub(super) trait Corner<P: VectorSpace, const N: usize>: Clone + Sized {
     fn net(&self, part: usize) -> [P; N];
 }
 
-/// How the parameters of a patch are cut, and what the points of a regular patch weigh.
+/// How a corner is cut, and what the points of a regular patch weigh.
 pub(super) trait Cut<const N: usize> {
     /// The weights of a regular patch's points in a jet.
     fn weights<S: Scalar, const K: usize>(parameters: [S; 2]) -> [[S; N]; K];
 
-    /// The child, of four, in which the parameters of a patch lie; the parameters there, and their derivatives.
-    fn child<S: Scalar>(parameters: [S; 2]) -> (usize, [S; 2], Jacobian<S>);
-
-    /// The regular patch, of three, in which the parameters of a corner lie, as [`Cut::child`]; `None` where they lie next to the vertex.
+    /// The regular patch, of three, in which the parameters of a corner lie, the parameters there, and their derivatives; `None` where they
+    /// lie in the half next to the vertex.
     fn part<S: Scalar>(parameters: [S; 2]) -> Option<(usize, [S; 2], Jacobian<S>)>;
 }
 

@@ -6,7 +6,7 @@ use super::eigenbasis::Eigenbasis;
 use super::jet::{Jacobian, pulled_back, unchanged};
 use super::quad_corner::QuadCorner;
 use super::quad_gather::{refined_patch, regular_patch};
-use super::quadrants::{Quadrants, out_of_quadrant};
+use super::quadrants::{Quadrants, into_quadrant, out_of_quadrant};
 use super::{Derivatives, EvaluationError, check_points, clamped, quad_modes};
 use crate::algebra::{Real, Vector3, VectorSpace, unit_vector};
 use crate::mesh::Mesh;
@@ -60,9 +60,11 @@ pub struct CatmullClarkSurface<P: VectorSpace> {
 
 #[derive(Clone, Debug, PartialEq)]
 enum Face<P> {
-    Quadrilateral(Patch<P, 16>),
-    /// A patch for each corner.
-    Polygon(Vec<Patch<P, 16>>),
+    Regular(Patch<P, 16>),
+    /// A quadrilateral, cut at its corners.
+    Cut([Patch<P, 16>; 4]),
+    /// A polygon, cut at its corners, and these again.
+    Polygon(Vec<[Patch<P, 16>; 4]>),
 }
 
 /// A patch, the parameters there, and their derivatives in the caller's parameters.
@@ -98,12 +100,12 @@ impl<P: VectorSpace> CatmullClarkSurface<P> {
         let levels = Levels::new(connectivity, points, corners, steps)?;
         let patches = regular.into_iter().zip(0..).map(|(regular, face)| {
             if let Some(patch) = regular {
-                return Face::Quadrilateral(Patch::Regular(Box::new(patch)));
+                return Face::Regular(Patch::Regular(Box::new(patch)));
             }
             let half_edges = connectivity.half_edges_of(face);
             if half_edges.len() == 4 {
                 let first = half_edges.start;
-                return Face::Quadrilateral(levels.split(0, first, corners, &mut found));
+                return Face::Cut(levels.split(0, first, corners, &mut found));
             }
             // A step makes a face of each half-edge, with its half-edges in order: number 4h is the first of face h.
             let split = |h| levels.split(1, 4 * h, corners, &mut found);
@@ -134,7 +136,7 @@ impl<P: VectorSpace> CatmullClarkSurface<P> {
     {
         self.table.eigenbasis = Some(Eigenbasis::new(
             &self.table.corners,
-            quad_modes::spectrum,
+            |corner| quad_modes::spectrum(corner.faces.len()),
             quad_modes::coordinates,
         ));
         self
@@ -265,7 +267,8 @@ impl<P: VectorSpace> CatmullClarkSurface<P> {
                 face,
                 found: corners.len(),
             }),
-            Some(Face::Quadrilateral(patch)) => Ok((patch, parameters.map(clamped), unchanged())),
+            Some(Face::Regular(patch)) => Ok((patch, parameters.map(clamped), unchanged())),
+            Some(Face::Cut(children)) => Ok(in_quadrant(children, parameters.map(clamped))),
         }
     }
 
@@ -284,16 +287,22 @@ impl<P: VectorSpace> CatmullClarkSurface<P> {
         let corner = (half_edge - self.starts[face - 1]) as usize;
         let parameters = parameters.map(clamped);
         Ok(match patches {
-            Face::Polygon(patches) => (&patches[corner], parameters, unchanged()),
-            Face::Quadrilateral(Patch::Split(children)) => {
-                (&children[corner], parameters, unchanged())
-            }
-            Face::Quadrilateral(patch) => {
+            Face::Polygon(patches) => in_quadrant(&patches[corner], parameters),
+            Face::Cut(children) => (&children[corner], parameters, unchanged()),
+            Face::Regular(patch) => {
                 let (parameters, jacobian) = out_of_quadrant(corner, parameters);
                 (patch, parameters, jacobian)
             }
         })
     }
+}
+
+fn in_quadrant<P: VectorSpace>(
+    children: &[Patch<P, 16>; 4],
+    parameters: [P::Scalar; 2],
+) -> Located<'_, P> {
+    let (child, inner, jacobian) = into_quadrant(parameters);
+    (&children[child], inner, jacobian)
 }
 
 /// The meshes after one and two steps, relative to the first control point.
@@ -331,9 +340,9 @@ impl<P: VectorSpace> Levels<P> {
         first: u32,
         corners: Corners,
         found: &mut Vec<Anchored<P, QuadCorner<P>>>,
-    ) -> Patch<P, 16> {
+    ) -> [Patch<P, 16>; 4] {
         let (mesh, connectivity) = &self.meshes[level];
-        let children = [0, 1, 2, 3].map(|k| {
+        [0, 1, 2, 3].map(|k| {
             let place = found.len();
             let mut patch = refined_patch(connectivity, &mesh.positions, first + k, corners, found);
             if let Patch::Regular(patch) = &mut patch {
@@ -343,8 +352,7 @@ impl<P: VectorSpace> Levels<P> {
                 corner.origin = self.origin.plus(corner.origin);
             }
             patch
-        });
-        Patch::Split(Box::new(children))
+        })
     }
 }
 

@@ -1,8 +1,8 @@
-//! The extraordinary corners of a surface, and the descent to them and to polynomials.
+//! The extraordinary corners of a surface, and the evaluation of a patch by either way.
 
 use super::adaptive::{Anchored, Corner, Cut, Patch, adaptive_jet};
 use super::eigenbasis::Eigenbasis;
-use super::jet::{combined, pulled_back};
+use super::jet::combined;
 use crate::algebra::VectorSpace;
 
 /// The extraordinary corners of a surface, and their eigenbasis where it is made: what is needed beyond the patches themselves.
@@ -34,11 +34,6 @@ impl<P: VectorSpace, C: Corner<P, N>, const N: usize, const O: usize> CornerTabl
                 let mut jet = combined(&X::weights(parameters), &patch.local);
                 jet[0] = patch.origin.plus(jet[0]);
                 Some(jet)
-            }
-            Patch::Split(children) => {
-                let (child, inner, jacobian) = X::child(parameters);
-                let jet = self.jet_or::<X, K>(&children[child], inner, at_limit)?;
-                Some(pulled_back(jet, jacobian))
             }
             &Patch::Corner(number) => {
                 let Anchored { origin, local } = &self.corners[number];

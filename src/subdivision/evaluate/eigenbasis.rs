@@ -74,7 +74,7 @@ impl<P: VectorSpace, const N: usize, const O: usize> Eigenbasis<P, N, O> {
     /// The eigenbasis of these corners: one spectrum for each valence of those that are not on the boundary.
     pub fn new<C: Corner<P, N>>(
         corners: &[Anchored<P, C>],
-        spectrum: impl Fn(usize) -> Spectrum<P::Scalar, N, O>,
+        spectrum: impl Fn(&C) -> Spectrum<P::Scalar, N, O>,
         coordinates: impl Fn(&C, usize) -> Coordinates<P, O>,
     ) -> Self {
         let (mut spectra, mut numbers) = (Vec::new(), HashMap::new());
@@ -82,7 +82,7 @@ impl<P: VectorSpace, const N: usize, const O: usize> Eigenbasis<P, N, O> {
             let corner = &corner.local;
             let valence = corner.closed_valence()?;
             let number = *numbers.entry(valence).or_insert_with(|| {
-                spectra.push(spectrum(valence));
+                spectra.push(spectrum(corner));
                 spectra.len() - 1
             });
             Some(coordinates(corner, number))
@@ -129,7 +129,8 @@ impl<S: Scalar, const N: usize, const O: usize> Spectrum<S, N, O> {
     ) -> [P; K] {
         // Derivatives of order l are multiplied by 2ᵏˡ, which would overflow; the eigenvalues are multiplied by 2ˡ instead.
         let order = |entry: usize| ORDERS[entry][0] + ORDERS[entry][1];
-        let powers_of = |value| [0, 1, 2].map(|order| Powers::new(value, order, steps));
+        let highest = K.div_ceil(2) - 1;
+        let powers_of = |value| Powers::of_orders(highest, value, steps);
         let outer: [[S; K]; O] =
             std::array::from_fn(|j| combined(weights, &self.outer[j].nets[part]));
         let mut jet = [P::origin(); K];
@@ -172,6 +173,15 @@ struct Powers<S> {
 }
 
 impl<S: Scalar> Powers<S> {
+    /// The powers for each order up to the highest.
+    fn of_orders(highest: usize, value: S, steps: u32) -> [Self; 3] {
+        let mut powers = [Self::new(value, 0, steps); 3];
+        for (order, powers) in (1..).zip(&mut powers[1..=highest]) {
+            *powers = Self::new(value, order, steps);
+        }
+        powers
+    }
+
     /// By repeated squaring; for h there is `h₂ₖ = hₖ (λᵏ + δᵏ)` and `hₖ₊₁ = λ hₖ + δᵏ`.
     // ANCHOR: powers
     fn new(value: S, order: u32, steps: u32) -> Self {

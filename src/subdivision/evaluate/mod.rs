@@ -40,18 +40,24 @@
 
 mod adaptive;
 mod bicubic;
+mod box_spline;
 mod catmull_clark;
 mod corner_table;
 mod eigenbasis;
 mod jet;
+mod loop_surface;
 mod quad_corner;
 mod quad_gather;
 mod quad_modes;
 mod quadrants;
+mod triangle_corner;
+mod triangle_gather;
+mod triangle_modes;
 
 use thiserror::Error;
 
 pub use catmull_clark::CatmullClarkSurface;
+pub use loop_surface::LoopSurface;
 
 use super::SubdivisionError;
 use crate::algebra::{Scalar, VectorSpace};

@@ -68,12 +68,32 @@ struct Wave {
     faces: Vec<f64>,
 }
 
-/// cos(2πk/n) or, a quarter of a turn later, sin(2πk/n).
-pub(super) fn wave(is_sine: bool, k: usize, n: usize) -> f64 {
-    if is_sine {
-        turn_cosine(4 * k + 3 * n, 4 * n)
-    } else {
-        turn_cosine(k, n)
+/// The values of all waves around a ring of n faces: a table of cosines, since the same few come again and again.
+pub(super) struct Waves {
+    /// cos(2πk/8n) for all k.
+    cosines: Vec<f64>,
+}
+
+impl Waves {
+    pub fn new(n: usize) -> Self {
+        let cosines = (0..8 * n).map(|k| turn_cosine(k, 8 * n)).collect();
+        Self { cosines }
+    }
+
+    /// cos(2πmj/n), or the sine: the cosine three quarters of a turn later.
+    pub fn at_edge(&self, is_sine: bool, m: usize, j: usize) -> f64 {
+        self.after(is_sine, 8 * m * j)
+    }
+
+    /// The same at half a face more, cos(2πm(j + ½)/n).
+    pub fn at_face(&self, is_sine: bool, m: usize, j: usize) -> f64 {
+        self.after(is_sine, 4 * m * (2 * j + 1))
+    }
+
+    fn after(&self, is_sine: bool, k: usize) -> f64 {
+        let count = self.cosines.len();
+        let shift = if is_sine { count / 4 * 3 } else { 0 };
+        self.cosines[(k + shift) % count]
     }
 }
 
@@ -102,6 +122,7 @@ fn waves(n: usize) -> Vec<Wave> {
             faces: vec![8.0 * mu + 2.0; n],
         })
         .into();
+    let table = Waves::new(n);
     for m in 1..n.div_ceil(2) {
         let (root, s) = root_and_cosine(m, n);
         let larger = (2.0 + s * s + s * root) / 8.0;
@@ -110,17 +131,15 @@ fn waves(n: usize) -> Vec<Wave> {
                 waves.push(Wave {
                     value,
                     centre: 0.0,
-                    edges: (0..n).map(|j| wave(is_sine, m * j, n)).collect(),
-                    faces: (0..n)
-                        .map(|j| f * wave(is_sine, m * (2 * j + 1), 2 * n))
-                        .collect(),
+                    edges: (0..n).map(|j| table.at_edge(is_sine, m, j)).collect(),
+                    faces: (0..n).map(|j| f * table.at_face(is_sine, m, j)).collect(),
                 });
             }
         }
     }
     if n.is_multiple_of(2) {
         // The highest frequency: signs that alternate, in the edges alone and in the faces alone.
-        let signs: Vec<f64> = (0..n).map(|j| wave(false, j, 2)).collect();
+        let signs: Vec<f64> = (0..n).map(|j| table.at_edge(false, n / 2, j)).collect();
         for in_edges in [true, false] {
             let either = |is_here| if is_here { signs.clone() } else { vec![0.0; n] };
             waves.push(Wave {
@@ -194,8 +213,10 @@ where
     };
     let (of_mu, of_nu) = (coordinate(nu, 1.0), coordinate(mu, -1.0));
     let mut ring = vec![of_mu, of_nu];
+    let table = Waves::new(n);
     for m in 1..n.div_ceil(2) {
-        let [cosine, sine] = [false, true].map(|is_sine| wave_coordinates(&corner, m, is_sine));
+        let [cosine, sine] =
+            [false, true].map(|is_sine| wave_coordinates(&corner, &table, m, is_sine));
         ring.extend([cosine[0], sine[0], cosine[1], sine[1]]);
     }
     if n.is_multiple_of(2) {
@@ -211,7 +232,7 @@ where
 
 /// The two coordinates of a frequency, larger eigenvalue first: a discrete Fourier transform, then the eigenvectors of two by two.
 // ANCHOR: coordinates
-fn wave_coordinates<P>(corner: &QuadCorner<P>, m: usize, is_sine: bool) -> [P; 2]
+fn wave_coordinates<P>(corner: &QuadCorner<P>, table: &Waves, m: usize, is_sine: bool) -> [P; 2]
 where
     P: VectorSpace,
     P::Scalar: Real,
@@ -221,11 +242,8 @@ where
     let (mut e, mut f) = (P::origin(), P::origin());
     for j in 0..n {
         let k = (corner.sector + j) % n;
-        e = e.plus(scaled(corner.edges[k], wave(is_sine, m * j, n)));
-        f = f.plus(scaled(
-            corner.faces[k],
-            wave(is_sine, m * (2 * j + 1), 2 * n),
-        ));
+        e = e.plus(scaled(corner.edges[k], table.at_edge(is_sine, m, j)));
+        f = f.plus(scaled(corner.faces[k], table.at_face(is_sine, m, j)));
     }
     let (root, s) = root_and_cosine(m, n);
     let unit = 2.0 / (n as f64 * 2.0 * root);

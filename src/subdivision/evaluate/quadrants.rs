@@ -18,26 +18,27 @@ pub(super) fn out_of_quadrant<S: Scalar>(corner: usize, [s, t]: [S; 2]) -> ([S; 
     }
 }
 
-/// How a quadrilateral is cut: into quadrants, each with parameters that start at its corner.
+/// The quadrant in which the parameters of a quadrilateral lie; the parameters there, and their derivatives.
+pub(super) fn into_quadrant<S: Scalar>([u, v]: [S; 2]) -> (usize, [S; 2], Jacobian<S>) {
+    let (zero, half, two) = (S::zero(), S::ratio(1, 2), S::from_i32(2));
+    let (from_left, from_below) = (u * two, v * two);
+    // Exact: there are at least half as many floating-point numbers below u as there are above 1 - u.
+    let [from_right, from_above] = [u, v].map(|parameter| (S::one() - parameter) * two);
+    match (u < half, v < half) {
+        (true, true) => (0, [from_left, from_below], [[two, zero], [zero, two]]),
+        (false, true) => (1, [from_below, from_right], [[zero, -two], [two, zero]]),
+        (false, false) => (2, [from_right, from_above], [[-two, zero], [zero, -two]]),
+        (true, false) => (3, [from_above, from_left], [[zero, two], [-two, zero]]),
+    }
+}
+
+/// A corner's regular patches: three quadrants of its parameters.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Quadrants;
 
 impl Cut<16> for Quadrants {
     fn weights<S: Scalar, const K: usize>(parameters: [S; 2]) -> [[S; 16]; K] {
         bicubic::weights(parameters)
-    }
-
-    fn child<S: Scalar>([u, v]: [S; 2]) -> (usize, [S; 2], Jacobian<S>) {
-        let (zero, half, two) = (S::zero(), S::ratio(1, 2), S::from_i32(2));
-        let (from_left, from_below) = (u * two, v * two);
-        // Exact: there are at least half as many floating-point numbers below u as there are above 1 - u.
-        let [from_right, from_above] = [u, v].map(|parameter| (S::one() - parameter) * two);
-        match (u < half, v < half) {
-            (true, true) => (0, [from_left, from_below], [[two, zero], [zero, two]]),
-            (false, true) => (1, [from_below, from_right], [[zero, -two], [two, zero]]),
-            (false, false) => (2, [from_right, from_above], [[-two, zero], [zero, -two]]),
-            (true, false) => (3, [from_above, from_left], [[zero, two], [-two, zero]]),
-        }
     }
 
     fn part<S: Scalar>([s, t]: [S; 2]) -> Option<(usize, [S; 2], Jacobian<S>)> {
