@@ -11,26 +11,13 @@ use facette::subdivision::{Connectivity, Corners, DooSabinWeights, SubdivisionEr
 use crate::common::dice::Dice;
 use crate::common::exact::{Exact, fraction};
 use crate::limit_inputs::{
-    VALENCES, half_fan, joined, limits, limits_with, neighbourhood, rational_circle, refined,
+    VALENCES, degrees, face_normal, half_fan, joined, limits, limits_with, neighbourhood,
+    rational_circle, refined,
 };
 use crate::meshes::{
     cube, double_fan, octahedron, polygon, quad_fan, tetrahedron, with_isolated_vertex,
 };
 use crate::steps::Scheme;
-
-/// The angle between two vectors, in degrees.
-fn degrees(a: [f64; 3], b: [f64; 3]) -> f64 {
-    use facette::algebra::{Vector3, length};
-    length(a.cross(b)).atan2(a.dot(b)).to_degrees()
-}
-
-/// The unit normal of a face: the sum of the vector products from its first corner.
-fn face_normal(mesh: &Mesh<[f64; 3]>, face: &[u32]) -> [f64; 3] {
-    use facette::algebra::{Vector3, unit_vector};
-    let at = |k: usize| mesh.positions[face[k] as usize].minus(mesh.positions[face[0] as usize]);
-    let sum = (1..face.len() - 1).fold([0.0; 3], |sum, k| sum.plus(at(k).cross(at(k + 1))));
-    unit_vector(sum).expect("a face with an area")
-}
 
 /// **Limits of the regular solids.** The corner $0$ of the cube $[0,1]^3$ has the Catmull-Clark limit $\left(\tfrac14,\tfrac14,\tfrac14\right)$. The vertex 0 of the tetrahedron $0,4e_1,4e_2,4e_3$ goes to $\tfrac79(1,1,1)$ with Catmull-Clark, $\tfrac45(1,1,1)$ with Loop, $\tfrac56(1,1,1)$ with $\sqrt3$; the
 /// vertex $e_1$ of the octahedron to $\tfrac{24}{55}e_1$ with Loop and $\tfrac37e_1$ with $\sqrt3$.

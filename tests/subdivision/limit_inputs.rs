@@ -3,16 +3,19 @@
 
 use std::collections::HashMap;
 
-use facette::algebra::{Scalar, VectorSpace};
+use facette::algebra::{Real, Scalar, Vector3, VectorSpace, length, unit_vector};
 use facette::mesh::Mesh;
 use facette::subdivision::limit::{
     Limit, catmull_clark_limits_with, loop_limits_with, sqrt3_limits_with, turn_point,
 };
 use facette::subdivision::{Connectivity, Corners};
 
+use crate::common::dice::Dice;
 use crate::common::exact::{Exact, fraction};
-use crate::meshes::Topology;
+use crate::meshes::{Topology, double_fan, quad_fan};
 use crate::steps::Scheme;
+
+type Point = [f64; 3];
 
 /// The valences at which everything is tried.
 pub const VALENCES: [u32; 11] = [3, 4, 5, 6, 7, 8, 12, 20, 50, 100, 200];
@@ -139,4 +142,63 @@ pub fn half_fan(k: u32, is_quad: bool) -> Topology {
 /// A whole number as a scalar.
 pub fn whole<S: Scalar>(value: usize) -> S {
     S::from_i32(i32::try_from(value).expect("a small number"))
+}
+
+/// The angle between two vectors, in degrees.
+pub fn degrees(a: Point, b: Point) -> f64 {
+    length(a.cross(b)).atan2(a.dot(b)).to_degrees()
+}
+
+/// The unit normal of a face: the sum of the vector products from its first corner.
+pub fn face_normal(mesh: &Mesh<Point>, face: &[u32]) -> Point {
+    let at = |k: usize| mesh.positions[face[k] as usize].minus(mesh.positions[face[0] as usize]);
+    let sum = (1..face.len() - 1).fold([0.0; 3], |sum, k| sum.plus(at(k).cross(at(k + 1))));
+    unit_vector(sum).expect("a face with an area")
+}
+
+/// The neighbourhood of vertex 0 after 0, 1, ... steps, each moved so that the limit of the vertex is the origin, and scaled to its first
+/// size: neither changes an angle, and hundreds of levels lose no digits.
+pub fn levels(scheme: Scheme, mesh: &Mesh<Point>, steps: u32) -> Vec<Mesh<Point>> {
+    let mut all = vec![mesh.clone()];
+    for step in 0..steps {
+        let last = &all[all.len() - 1];
+        let step = if scheme == Scheme::Sqrt3 { 0 } else { step };
+        let fine = neighbourhood(&refined(scheme, last, step..step + 1, Corners::Sharp), 0, 3);
+        let limit = limits(scheme, &fine, Corners::Sharp)[0].position;
+        all.push(centred(&fine, limit));
+    }
+    all
+}
+
+/// The mesh with `centre` moved to the origin, and scaled by a power of two so that its largest coordinate is between 1 and 2.
+pub fn centred(mesh: &Mesh<Point>, centre: Point) -> Mesh<Point> {
+    let offsets: Vec<Point> = mesh.positions.iter().map(|p| p.minus(centre)).collect();
+    let largest = offsets
+        .iter()
+        .map(|p| p.largest_coordinate())
+        .fold(0.0, f64::max);
+    let scale = 1.0 / largest.power_of_two();
+    let points = offsets.iter().map(|p| p.times(scale)).collect();
+    Mesh::new(points, mesh.faces()).expect("the same faces")
+}
+
+/// Vertex 0 in the middle of circles of neighbours, with heights at random.
+pub fn hilly(scheme: Scheme, n: u32, seed: u64) -> Mesh<Point> {
+    let topology = if scheme == Scheme::CatmullClark {
+        quad_fan(n)
+    } else {
+        double_fan(n)
+    };
+    let mut dice = Dice::new(seed);
+    let place = |vertex: usize| {
+        let height = dice.roll();
+        let Some(k) = vertex.checked_sub(1) else {
+            return [0.0, 0.0, height];
+        };
+        let (ring, k) = (k / n as usize, k % n as usize);
+        let angle = f64::pi() * (2 * k + ring) as f64 / f64::from(n);
+        let radius = 1.0 + ring as f64;
+        [radius * angle.cos(), radius * angle.sin(), height]
+    };
+    topology.with_points((0..topology.vertex_count).map(place).collect())
 }

@@ -1,6 +1,6 @@
 //! How smooth the limit surfaces are at extraordinary points: what the eigenvalues promise, seen in meshes.
 
-use facette::algebra::{Real, Vector3, VectorSpace, length, unit_vector};
+use facette::algebra::{Real, Vector3, VectorSpace, unit_vector};
 use facette::mesh::Mesh;
 use facette::subdivision::limit::{
     Eigenvalues, catmull_clark_eigenvalues, catmull_clark_ring_eigenvalues, doo_sabin_eigenvalues,
@@ -9,27 +9,16 @@ use facette::subdivision::limit::{
 };
 use facette::subdivision::mask::{loop_vertex_weight, turn_cosine};
 use facette::subdivision::{Corners, DooSabinWeights, loop_subdivision_with};
-use proptest::prelude::*;
 
 use crate::common::dice::Dice;
-use crate::common::exact::{Exact, fraction};
-use crate::common::law::{Law, expect_equal};
-use crate::limit_inputs::{half_fan, joined, limits, neighbourhood, refined};
-use crate::meshes::{double_fan, pyramid, quad_fan, triangle_grid};
+use crate::common::exact::fraction;
+use crate::limit_inputs::{
+    centred, degrees, face_normal, half_fan, hilly, joined, levels, neighbourhood, refined,
+};
+use crate::meshes::pyramid;
 use crate::steps::Scheme;
-use crate::suspects;
 
 type Point = [f64; 3];
-
-fn degrees(a: Point, b: Point) -> f64 {
-    length(a.cross(b)).atan2(a.dot(b)).to_degrees()
-}
-
-fn face_normal(mesh: &Mesh<Point>, face: &[u32]) -> Point {
-    let at = |k: usize| mesh.positions[face[k] as usize].minus(mesh.positions[face[0] as usize]);
-    let sum = (1..face.len() - 1).fold([0.0; 3], |sum, k| sum.plus(at(k).cross(at(k + 1))));
-    unit_vector(sum).expect("a face with an area")
-}
 
 /// The largest angle between the normals of two of the faces that are at most two away from vertex 0, in degrees.
 fn spread(mesh: &Mesh<Point>) -> f64 {
@@ -46,53 +35,6 @@ fn spread_of(normals: &[Point]) -> f64 {
     let pairs = normals.iter().enumerate();
     let pairs = pairs.flat_map(|(k, &a)| normals[k + 1..].iter().map(move |&b| degrees(a, b)));
     pairs.fold(0.0, f64::max)
-}
-
-/// The neighbourhood of vertex 0 after 0, 1, ... steps, each moved so that the limit of the vertex is the origin, and scaled to its first
-/// size: neither changes an angle, and hundreds of levels lose no digits.
-fn levels(scheme: Scheme, mesh: &Mesh<Point>, steps: u32) -> Vec<Mesh<Point>> {
-    let mut all = vec![mesh.clone()];
-    for step in 0..steps {
-        let last = &all[all.len() - 1];
-        let step = if scheme == Scheme::Sqrt3 { 0 } else { step };
-        let fine = neighbourhood(&refined(scheme, last, step..step + 1, Corners::Sharp), 0, 3);
-        let limit = limits(scheme, &fine, Corners::Sharp)[0].position;
-        all.push(centred(&fine, limit));
-    }
-    all
-}
-
-/// The mesh with `centre` moved to the origin, and scaled by a power of two so that its largest coordinate is between 1 and 2.
-fn centred(mesh: &Mesh<Point>, centre: Point) -> Mesh<Point> {
-    let offsets: Vec<Point> = mesh.positions.iter().map(|p| p.minus(centre)).collect();
-    let largest = offsets
-        .iter()
-        .map(|p| p.largest_coordinate())
-        .fold(0.0, f64::max);
-    let scale = 1.0 / largest.power_of_two();
-    let points = offsets.iter().map(|p| p.times(scale)).collect();
-    Mesh::new(points, mesh.faces()).expect("the same faces")
-}
-
-/// Vertex 0 in the middle of circles of neighbours, with heights at random.
-fn hilly(scheme: Scheme, n: u32, seed: u64) -> Mesh<Point> {
-    let topology = if scheme == Scheme::CatmullClark {
-        quad_fan(n)
-    } else {
-        double_fan(n)
-    };
-    let mut dice = Dice::new(seed);
-    let place = |vertex: usize| {
-        let height = dice.roll();
-        let Some(k) = vertex.checked_sub(1) else {
-            return [0.0, 0.0, height];
-        };
-        let (ring, k) = (k / n as usize, k % n as usize);
-        let angle = f64::pi() * (2 * k + ring) as f64 / f64::from(n);
-        let radius = 1.0 + ring as f64;
-        [radius * angle.cos(), radius * angle.sin(), height]
-    };
-    topology.with_points((0..topology.vertex_count).map(place).collect())
 }
 
 /// **Tangent planes exist.** Around an interior vertex of any valence the facets' normals of Catmull-Clark, Loop and $\sqrt3$ come together, whatever the heights of the control points: the angle between any two of them shrinks like $(\mu/\lambda)^k$. So the surfaces are tangent-plane continuous at extraordinary points. Seen here over
@@ -258,109 +200,6 @@ fn weight_of_valence_six_leaves_a_tip_at_valence_three() {
     let smooth = tip(&|n| loop_vertex_weight(turn_cosine(1, n)));
     println!("{sharp:.1} degrees against {smooth:.5}");
     assert!(sharp > 30.0 && smooth < 0.1);
-}
-
-/// **The printed cosine makes regular vertices too flat.** In Loop's step the difference $m-v$ of the mean of the neighbours and the vertex is multiplied by $\alpha-\frac38$. At a regular vertex that must be $\frac14=\lambda^2$, as it is for $\alpha_6=\frac58$: then $4^k(m-v)$, a discrete curvature, stays what it is. With the cosine printed on the slide, $\alpha_6=\left(\frac38+0\right)^2+\frac38=\frac{33}{64}$, and it is multiplied by
-/// $\frac9{16}$ in each step: the mean curvature goes to zero in every vertex, and the surface is no box spline.
-///
-/// Course: D26, slide 78, Loop's weight: its eigenvalues.
-#[test]
-fn printed_cosine_flattens_regular_vertices() {
-    let law = Law::new(
-        "subdivision::printed_cosine_flattens_regular_vertices",
-        suspects::library,
-    );
-    let points = || proptest::collection::vec([-9..9_i32, -9..9, -9..9], 9);
-    let right = loop_vertex_weight(fraction(1, 2));
-    // cos(3π/6) = 0.
-    let printed = loop_vertex_weight(fraction(0, 1));
-    assert_eq!([right, printed], [fraction(5, 8), fraction(33, 64)]);
-    let flat = Just(vec![[0, 1, 2]; 9]);
-    law.holds(points(), flat, |points: &Vec<[i32; 3]>| {
-        let points = points.iter().map(|p| p.map(|c| fraction(c, 1))).collect();
-        let mesh = triangle_grid(2, 2).with_points(points);
-        for (alpha, factor) in [(right, fraction(1, 1)), (printed, fraction(9, 16))] {
-            let bump = |mesh: &Mesh<[Exact; 3]>| {
-                let joined = joined(mesh);
-                let at = |v: u32| mesh.positions[v as usize];
-                let ring = joined.around(4).map(|h| at(joined.target(h)).minus(at(4)));
-                ring.fold([fraction(0, 1); 3], VectorSpace::plus)
-            };
-            let fine =
-                loop_subdivision_with(&joined(&mesh), &mesh.positions, Corners::Sharp, |_| alpha);
-            let fine = fine.expect("exact points");
-            expect_equal(
-                &bump(&mesh).times(factor),
-                &bump(&fine).times(fraction(4, 1)),
-            )?;
-        }
-        Ok(())
-    });
-}
-
-/// The largest height of a corner of the faces around vertex 0 over the tangent plane, over the square of its distance within it: half a discrete
-/// normal curvature. The neighbours alone would not do: at valence 3 of Catmull-Clark their heights vanish in the eigenvector.
-fn curvature(scheme: Scheme, mesh: &Mesh<Point>) -> f64 {
-    let limit = limits(scheme, mesh, Corners::Sharp)[0];
-    let normal = limit.normal().expect("a tangent plane");
-    let around = mesh.faces().filter(|face| face.contains(&0)).flatten();
-    let bends = around.filter(|&&v| v != 0).map(|&v| {
-        let offset = mesh.positions[v as usize].minus(limit.position);
-        let height = offset.dot(normal);
-        height.abs() / (offset.dot(offset) - height * height)
-    });
-    bends.fold(0.0, f64::max)
-}
-
-/// **Curvature that grows without end.** Heights over the tangent plane shrink by $\mu$, squares of distances by $\lambda^2$: a discrete curvature at the vertex is multiplied by $\mu/\lambda^2$ in every step. For Catmull-Clark at $n=5$ that is $1.124$, at $n=8$ it is $1.339$; for Loop at $n=7$ $1.13$. At regular vertices it is 1, and the
-/// curvature converges. At $n=3$ Catmull-Clark has $0.991$, and the surface becomes flat in the point. The surfaces are $C^2$ elsewhere and $C^1$ there.
-///
-/// Course: D23, slide 76, Catmull-Clark: C2 but at extraordinary points.
-#[test]
-fn curvature_is_multiplied_by_mu_over_lambda_squared() {
-    // Heights of one frequency, that of the largest eigenvalue: saddles, or a cup where that is larger.
-    let growth = |scheme, n: u32, frequency: u32| {
-        let last = levels(scheme, &wavy(scheme, n, frequency), 20);
-        let fine = refined(scheme, &last[20], 0..1, Corners::Sharp);
-        curvature(scheme, &fine) / curvature(scheme, &last[20])
-    };
-    let expected = |e: Eigenvalues<f64>| e.next / (e.tangent * e.tangent);
-    let frequency = |n, cups_up_to| if n <= cups_up_to { 0 } else { 2 };
-    for n in [3, 4, 5, 6, 8, 12, 20] {
-        let expected = expected(catmull_clark_eigenvalues(n as usize));
-        let got = growth(Scheme::CatmullClark, n, frequency(n, 4));
-        println!("Catmull-Clark {n}: {got:.4}, {expected:.4}");
-        assert!(
-            (got / expected - 1.0).abs() < 1e-6,
-            "Catmull-Clark {n}: {got}, not {expected}"
-        );
-    }
-    for n in [4, 5, 6, 7, 8, 12, 20] {
-        let expected = expected(loop_eigenvalues(n as usize));
-        let got = growth(Scheme::Loop, n, frequency(n, 6));
-        println!("Loop {n}: {got:.4}, {expected:.4}");
-        assert!(
-            (got / expected - 1.0).abs() < 1e-6,
-            "Loop {n}: {got}, not {expected}"
-        );
-    }
-}
-
-/// Vertex 0 in the middle of circles of neighbours, whose heights are a wave of the given frequency; for frequency 0 the middle alone is lifted.
-fn wavy(scheme: Scheme, n: u32, frequency: u32) -> Mesh<Point> {
-    let flat = hilly(scheme, n, 0);
-    let points = flat.positions.iter().map(|&[x, y, _]| {
-        let wave = (f64::from(frequency) * y.atan2(x)).cos();
-        // A cup is a lifted centre.
-        let is_centre = x == 0.0 && y == 0.0;
-        let height = if frequency == 0 {
-            f64::from(u8::from(is_centre))
-        } else {
-            x.hypot(y) * wave
-        };
-        [x, y, height]
-    });
-    Mesh::new(points.collect(), flat.faces()).expect("the same faces")
 }
 
 /// **Too many faces on a boundary.** The boundary's own tangent has the eigenvalue $\frac12$, whatever is inside. With $k$ faces at the vertex, waves of half a turn have the eigenvalue $\lambda$ of valence $2k$, whole turns that of valence $k$. The second must be less than $\frac12$, or there is no tangent plane: it is for $k\le3$ quadrilaterals and

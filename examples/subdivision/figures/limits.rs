@@ -28,8 +28,10 @@ fn plotted(name: &'static str, caption: &str, alternative: &str, plot: &Plot) ->
     }
 }
 
-/// The schemes with their eigenvalues as functions of the valence.
-const SCHEMES: [(&str, fn(usize) -> Eigenvalues<f64>); 5] = [
+/// A scheme's name, and its eigenvalues as a function of the valence.
+type Named = (&'static str, fn(usize) -> Eigenvalues<f64>);
+
+const SCHEMES: [Named; 5] = [
     ("Catmull-Clark", catmull_clark_eigenvalues),
     ("Loop", loop_eigenvalues),
     ("√3", sqrt3_eigenvalues),
