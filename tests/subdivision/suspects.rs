@@ -3,10 +3,18 @@
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
+use facette::mesh::Mesh;
 use facette::subdivision::curve::{Ends, chaikin_step, cubic_step, double_and_average};
+use facette::subdivision::{
+    Corners, catmull_clark as catmull_clark_step, loop_subdivision as loop_step,
+    loop_subdivision_with,
+};
 
 use crate::common::exact::{Exact, fraction};
 use crate::common::law::LikelyMistake;
+use crate::meshes::{
+    Topology, bipyramid, double_fan, fan, grid, polygon as polygon_faces, prism, quad_fan,
+};
 use crate::mistakes::{self, MISTAKES};
 
 /// A polygon without symmetries.
@@ -47,6 +55,7 @@ fn found(
     }
 }
 
+const CORNERS: [Corners; 2] = [Corners::Sharp, Corners::Smooth];
 const ALL_ENDS: [Ends; 3] = [Ends::Closed, Ends::Open, Ends::Kept];
 
 /// Suspects for `chaikin_step`.
@@ -94,12 +103,61 @@ pub fn library() -> LikelyMistake {
     }
 }
 
-/// Suspects for `catmull_clark`.
-pub fn catmull_clark() -> LikelyMistake {
-    library()
+/// Points without symmetries for a mesh.
+fn scattered(topology: &Topology) -> Vec<[Exact; 3]> {
+    polygon(i32::try_from(topology.vertex_count).expect("a small mesh"))
 }
 
-/// Suspects for `loop_subdivision`.
+/// Suspects for `catmull_clark`.
+pub fn catmull_clark() -> LikelyMistake {
+    let general = "first the face points, the means of the corners; then (Q + R)/2 on every edge; then (Q + 2R + (n-3)S)/n for every vertex inside";
+    let probes = [quad_fan(5), prism(5), grid(2, 1)];
+    found("catmull_clark", general, |name| {
+        let mut cases = probes
+            .iter()
+            .flat_map(|probe| CORNERS.map(|corners| (probe, corners)));
+        cases.all(|(probe, corners)| {
+            let (joined, points) = (probe.connectivity(), scattered(probe));
+            let wrong = mistakes::catmull_clark(name, &joined, &points, corners);
+            wrong.is_some() && wrong == outcome(|| catmull_clark_step(&joined, &points, corners))
+        })
+    })
+}
+
+/// Suspects for `loop_subdivision` and `loop_subdivision_with`.
 pub fn loop_subdivision() -> LikelyMistake {
-    library()
+    let general = "on every edge inside 3/8 (A + B) + 1/8 (C + D), for every vertex inside alpha V + (1 - alpha) Q with the mean Q of its neighbours";
+    let probes = [double_fan(5), bipyramid(7), polygon_faces(3)];
+    let alpha = |n: usize| fraction(1, i32::try_from(n).expect("a small valence"));
+    found("loop", general, |name| {
+        if name == "printed_cosine" {
+            return has_printed_cosine();
+        }
+        let mut cases = probes
+            .iter()
+            .flat_map(|probe| CORNERS.map(|corners| (probe, corners)));
+        cases.all(|(probe, corners)| {
+            let (joined, points) = (probe.connectivity(), scattered(probe));
+            let wrong = mistakes::loop_subdivision_with(name, &joined, &points, corners, &alpha);
+            let got = outcome(|| loop_subdivision_with(&joined, &points, corners, alpha));
+            wrong.is_some() && wrong == got
+        })
+    })
+}
+
+/// Whether the code under test has the slide's cosine.
+fn has_printed_cosine() -> bool {
+    let mut points = vec![0.0; 8];
+    points[0] = 1.0;
+    let joined = fan(7).connectivity();
+    let wrong = mistakes::loop_subdivision("printed_cosine", &joined, &points, Corners::Sharp);
+    let got = outcome(|| loop_step(&joined, &points, Corners::Sharp));
+    let tip = |refined: Option<Result<Mesh<f64>, _>>| {
+        refined.and_then(Result::ok).map(|mesh| mesh.positions[0])
+    };
+    match (tip(wrong), tip(got)) {
+        // Roundings may differ; the right weight is a tenth away.
+        (Some(wrong), Some(got)) => (wrong - got).abs() < 0.01,
+        _ => false,
+    }
 }

@@ -22,6 +22,48 @@ fn chosen() -> &'static str {
 pub mod subdivision {
     pub use reference::subdivision::*;
 
+    use crate::algebra::{Real, VectorSpace};
+    use crate::mesh::Mesh;
+    use crate::{chosen, mistakes};
+    use reference::subdivision::mask::{loop_vertex_weight, turn_cosine};
+
+    /// Exercise 4.
+    pub fn catmull_clark<P: VectorSpace>(
+        connectivity: &Connectivity,
+        points: &[P],
+        corners: Corners,
+    ) -> Result<Mesh<P>, SubdivisionError> {
+        mistakes::catmull_clark(chosen(), connectivity, points, corners)
+            .unwrap_or_else(|| reference::subdivision::catmull_clark(connectivity, points, corners))
+    }
+
+    /// Exercise 5, with its own weight.
+    pub fn loop_subdivision<P: VectorSpace>(
+        connectivity: &Connectivity,
+        points: &[P],
+        corners: Corners,
+    ) -> Result<Mesh<P>, SubdivisionError>
+    where
+        P::Scalar: Real,
+    {
+        let weight = |n| loop_vertex_weight(turn_cosine(1, n));
+        mistakes::loop_subdivision(chosen(), connectivity, points, corners)
+            .unwrap_or_else(|| loop_subdivision_with(connectivity, points, corners, weight))
+    }
+
+    /// Exercise 5, with any weight.
+    pub fn loop_subdivision_with<P: VectorSpace>(
+        connectivity: &Connectivity,
+        points: &[P],
+        corners: Corners,
+        weight: impl Fn(usize) -> P::Scalar,
+    ) -> Result<Mesh<P>, SubdivisionError> {
+        mistakes::loop_subdivision_with(chosen(), connectivity, points, corners, &weight)
+            .unwrap_or_else(|| {
+                reference::subdivision::loop_subdivision_with(connectivity, points, corners, weight)
+            })
+    }
+
     /// Polygons.
     pub mod curve {
         pub use reference::subdivision::curve::*;
