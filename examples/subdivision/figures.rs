@@ -4,6 +4,12 @@
 mod curves;
 #[path = "figures/limits.rs"]
 mod limits;
+#[path = "figures/masks.rs"]
+mod masks;
+#[path = "figures/meshes.rs"]
+mod meshes;
+#[path = "figures/topology.rs"]
+mod topology;
 
 use facette_figure::FigureMaker;
 
@@ -24,6 +30,42 @@ pub const FIGURES: &[FigureMaker] = &[
     FigureMaker {
         name: "polygon_convergence",
         make: curves::polygon_convergence,
+    },
+    FigureMaker {
+        name: "half_edges",
+        make: topology::half_edges,
+    },
+    FigureMaker {
+        name: "refused_meshes",
+        make: topology::refused_meshes,
+    },
+    FigureMaker {
+        name: "doo_sabin_masks",
+        make: masks::doo_sabin_masks,
+    },
+    FigureMaker {
+        name: "steps_of_polygons",
+        make: topology::steps_of_polygons,
+    },
+    FigureMaker {
+        name: "biquadratic_matrix",
+        make: masks::biquadratic_matrix,
+    },
+    FigureMaker {
+        name: "catmull_clark_masks",
+        make: masks::catmull_clark_masks,
+    },
+    FigureMaker {
+        name: "triangle_masks",
+        make: masks::triangle_masks,
+    },
+    FigureMaker {
+        name: "steps_of_triangles",
+        make: topology::steps_of_triangles,
+    },
+    FigureMaker {
+        name: "triangle_counts",
+        make: topology::triangle_counts,
     },
     FigureMaker {
         name: "eigenvalues",

@@ -64,7 +64,6 @@ use crate::mesh::Mesh;
 /// assert_eq!(refined.positions[4], [1.0, 0.0]);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-// ANCHOR: step
 pub fn catmull_clark<P: VectorSpace>(
     connectivity: &Connectivity,
     points: &[P],
@@ -89,6 +88,7 @@ pub fn catmull_clark<P: VectorSpace>(
         .chain(edge_points)
         .chain(face_points.iter().copied())
         .collect();
+    // ANCHOR: faces
     let new_faces = (0..half_edges).map(|h| {
         let of_edge = |h| vertices + connectivity.edge_of(h);
         [
@@ -98,19 +98,21 @@ pub fn catmull_clark<P: VectorSpace>(
             of_edge(connectivity.previous(h)),
         ]
     });
+    // ANCHOR_END: faces
     Ok(Mesh::new(positions, new_faces)?)
 }
-// ANCHOR_END: step
 
 /// The centroid of a face's vertices.
-// ANCHOR: points
+// ANCHOR: face_point
 fn face_point<P: VectorSpace>(connectivity: &Connectivity, points: &[P], face: u32) -> P {
     let vertices = connectivity.vertices_of(face);
     let corners = vertices.iter().map(|&vertex| points[vertex as usize]);
     let base = points[vertices[0] as usize];
     base.plus(mean_offset(base, corners))
 }
+// ANCHOR_END: face_point
 
+// ANCHOR: edge_point
 /// The midpoint of an edge, and half way from there to the mean of the face points beside it.
 fn edge_point<P: VectorSpace>(
     connectivity: &Connectivity,
@@ -129,7 +131,9 @@ fn edge_point<P: VectorSpace>(
     let r = midpoint(left, right);
     midpoint(q, r)
 }
+// ANCHOR_END: edge_point
 
+// ANCHOR: vertex_point
 /// The mean of face points, midpoints and the old vertex.
 fn vertex_point<P: VectorSpace>(
     connectivity: &Connectivity,
@@ -155,4 +159,4 @@ fn vertex_point<P: VectorSpace>(
     let offset = q_offset.plus(twice_r_offset);
     s.plus(offset.times(P::Scalar::one() / count(n)))
 }
-// ANCHOR_END: points
+// ANCHOR_END: vertex_point

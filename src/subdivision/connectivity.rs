@@ -210,6 +210,7 @@ impl Connectivity {
     ///
     /// At a boundary vertex the walk begins with the boundary's half-edge and meets every edge but the last, whose half-edge *arrives*:
     /// the [`previous`](Self::previous) of the walk's last.
+    // ANCHOR: around
     pub fn around(&self, vertex: u32) -> impl Iterator<Item = u32> {
         let first = self.outgoing(vertex);
         std::iter::successors(first, move |&half_edge| {
@@ -217,6 +218,7 @@ impl Connectivity {
                 .filter(|&next| Some(next) != first)
         })
     }
+    // ANCHOR_END: around
 
     /// How many edges meet in a vertex.
     pub fn valence(&self, vertex: u32) -> usize {

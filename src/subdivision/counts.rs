@@ -58,7 +58,6 @@ impl Counts {
     /// # Errors
     ///
     /// [`SubdivisionError::TooLarge`] where 32-bit numbers cannot name all vertices or corners, here and below.
-    // ANCHOR: catmull_clark
     pub fn after_catmull_clark(self) -> Result<Self, SubdivisionError> {
         let after = Self {
             vertices: self.vertices + self.edges + self.faces,
@@ -70,7 +69,6 @@ impl Counts {
         };
         after.checked()
     }
-    // ANCHOR_END: catmull_clark
 
     /// The counts after a step of Loop's scheme on triangles.
     ///
@@ -118,7 +116,6 @@ impl Counts {
     /// # Errors
     ///
     /// [`SubdivisionError::TooLarge`].
-    // ANCHOR: doo_sabin
     pub fn after_doo_sabin(self, corners: Corners) -> Result<Self, SubdivisionError> {
         let kept = match corners {
             Corners::Sharp => self.corners,
@@ -138,7 +135,6 @@ impl Counts {
         };
         after.checked()
     }
-    // ANCHOR_END: doo_sabin
 
     /// The counts where 32-bit numbers can name everything that is counted.
     fn checked(self) -> Result<Self, SubdivisionError> {

@@ -91,7 +91,6 @@ where
 /// # Errors
 ///
 /// Those of [`doo_sabin`].
-// ANCHOR: step
 pub fn doo_sabin_with<P: VectorSpace>(
     connectivity: &Connectivity,
     points: &[P],
@@ -103,6 +102,7 @@ pub fn doo_sabin_with<P: VectorSpace>(
     let mut positions = corner_points(connectivity, points, weight);
     let boundary = Boundary::new(connectivity, corners);
     positions.extend(boundary.points(connectivity, points));
+    // ANCHOR: faces
     let faces = (0..index_of(connectivity.face_count()))
         .map(|face| connectivity.half_edges_of(face).collect::<Vec<_>>());
     let of_edges = (0..index_of(connectivity.edge_count())).map(|edge| {
@@ -120,10 +120,10 @@ pub fn doo_sabin_with<P: VectorSpace>(
             around
         })
         .filter(|around| around.len() > 2);
+    // ANCHOR_END: faces
     let new_faces = faces.chain(of_edges).chain(of_vertices);
     Ok(Mesh::new(positions, new_faces)?)
 }
-// ANCHOR_END: step
 
 // ANCHOR: corner_points
 /// The corners of all faces, each moved towards the inside of its face.
@@ -178,7 +178,6 @@ impl Boundary {
         }
     }
 
-    // ANCHOR: boundary_points
     /// Chaikin's points along the boundary, then the corners.
     fn points<P: VectorSpace>(&self, connectivity: &Connectivity, points: &[P]) -> Vec<P> {
         let quarter = P::Scalar::ratio(1, 4);
@@ -191,7 +190,6 @@ impl Boundary {
         let corners = self.sharp.iter().map(|&vertex| points[vertex as usize]);
         on_edges.chain(corners).collect()
     }
-    // ANCHOR_END: boundary_points
 
     /// The numbers of the two points on a boundary edge.
     fn points_of(&self, edge: u32) -> [u32; 2] {

@@ -80,7 +80,6 @@ where
 /// # Errors
 ///
 /// Those of [`loop_subdivision`].
-// ANCHOR: step
 pub fn loop_subdivision_with<P: VectorSpace>(
     connectivity: &Connectivity,
     points: &[P],
@@ -100,17 +99,18 @@ pub fn loop_subdivision_with<P: VectorSpace>(
         (0..vertices).map(|v| vertex_point(connectivity, points, v, corners, &vertex_weight));
     let edge_points = (0..edges).map(|edge| edge_point(connectivity, points, edge));
     let positions = vertex_points.chain(edge_points).collect();
+    // ANCHOR: faces
     let new_faces = (0..faces).flat_map(|face| {
         let corner = connectivity.half_edges_of(face).start;
         let [a, b, c] = [0, 1, 2].map(|i| connectivity.origin(corner + i));
         let [ab, bc, ca] = [0, 1, 2].map(|i| vertices + connectivity.edge_of(corner + i));
         [[a, ab, ca], [b, bc, ab], [c, ca, bc], [ab, bc, ca]]
     });
+    // ANCHOR_END: faces
     Ok(Mesh::new(positions, new_faces)?)
 }
-// ANCHOR_END: step
 
-// ANCHOR: points
+// ANCHOR: edge_point
 /// The midpoint of an edge, and a quarter of the way from there to the midpoint of the two vertices opposite to it.
 fn edge_point<P: VectorSpace>(connectivity: &Connectivity, points: &[P], edge: u32) -> P {
     let h = connectivity.half_edge_of(edge);
@@ -122,7 +122,9 @@ fn edge_point<P: VectorSpace>(connectivity: &Connectivity, points: &[P], edge: u
         middle.lerp(beside, P::Scalar::ratio(1, 4))
     })
 }
+// ANCHOR_END: edge_point
 
+// ANCHOR: vertex_point
 /// α v + (1 − α) q, as a step from v towards q.
 fn vertex_point<P: VectorSpace>(
     connectivity: &Connectivity,
@@ -144,4 +146,4 @@ fn vertex_point<P: VectorSpace>(
     let alpha = vertex_weight(n);
     v.plus(mean_offset(v, ring).times(P::Scalar::one() - alpha))
 }
-// ANCHOR_END: points
+// ANCHOR_END: vertex_point

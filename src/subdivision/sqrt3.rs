@@ -110,7 +110,6 @@ where
 /// # Errors
 ///
 /// Those of [`sqrt3`].
-// ANCHOR: step
 pub fn sqrt3_with<P: VectorSpace>(
     connectivity: &Connectivity,
     points: &[P],
@@ -131,9 +130,8 @@ pub fn sqrt3_with<P: VectorSpace>(
     let faces = of_half_edges.chain(new_points.outer_pieces());
     Ok(Mesh::new(positions, faces)?)
 }
-// ANCHOR_END: step
 
-// ANCHOR: points
+// ANCHOR: vertex_point
 /// (1 − α) v + α q, as a step from v towards q; a vertex without a face stays.
 fn inner_vertex_point<P: VectorSpace>(
     connectivity: &Connectivity,
@@ -150,6 +148,7 @@ fn inner_vertex_point<P: VectorSpace>(
     let ring = neighbours.map(|h| points[connectivity.target(h) as usize]);
     v.plus(mean_offset(v, ring).times(neighbours_weight(n)))
 }
+// ANCHOR_END: vertex_point
 
 /// The new position of a vertex on the boundary, by the mask (4, 19, 4)/27 where that is trisected; `None` for other vertices.
 fn outer_vertex_point<P: VectorSpace>(
@@ -167,7 +166,6 @@ fn outer_vertex_point<P: VectorSpace>(
     let offset = a.minus(p).plus(b.minus(p));
     Some(p.plus(offset.times(P::Scalar::ratio(4, 27))))
 }
-// ANCHOR_END: points
 
 /// Whether a vertex stays in a step that trisects the boundary.
 fn is_sharp(connectivity: &Connectivity, vertex: u32, corners: Corners) -> bool {
@@ -203,7 +201,6 @@ impl<'a> NewPoints<'a> {
     }
 
     /// The positions of the new points, in the order of their numbers.
-    // ANCHOR: new_points
     fn positions<P: VectorSpace>(&self, points: &[P], corners: Corners) -> Vec<P> {
         let centroids = self.with_centroid.iter().map(|&face| {
             let vertices = self.connectivity.vertices_of(face);
@@ -233,7 +230,6 @@ impl<'a> NewPoints<'a> {
             None => p.plus(ahead.times(P::Scalar::ratio(1, 3))),
         }
     }
-    // ANCHOR_END: new_points
 
     /// The number of the new point on the left of a half-edge, which its edge is flipped to.
     fn beside(&self, half_edge: u32) -> u32 {
