@@ -46,7 +46,7 @@ fn catmull_clark_places_face_points_and_edge_points() {
 }
 
 /// **Vertex points.** A vertex $S$ inside the mesh with $n$ edges goes to $\dfrac{Q+2R+(n-3)S}{n}$, with the mean $Q$ of the face points around it and the mean $R$ of the *midpoints*
-/// of its edges (not of the edge points). A vertex on the boundary goes to $\frac18(A+6S+B)$ between its neighbours $A,B$ along the boundary; with sharp corners it stays if it has a
+/// of its edges. (The mean of the edge points is $\frac12(Q+R)$; who takes it for $R$ gets $2Q+R$ in the numerator.) A vertex on the boundary goes to $\frac18(A+6S+B)$ between its neighbours $A,B$ along the boundary; with sharp corners it stays if it has a
 /// single face.
 ///
 /// Course: D21, slide 73, Catmull-Clark: old vertices.

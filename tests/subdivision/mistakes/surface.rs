@@ -144,7 +144,6 @@ impl<P: VectorSpace> Step<'_, P> {
         let (weights, sum) = match self.name {
             "vertices_stay" => ([0, 0, 1], 1),
             "valence_four_everywhere" => ([1, 2, 1], 4),
-            "q_and_r_exchanged" => ([2, 1, n - 3], n),
             "n_minus_two" => ([1, 2, n - 2], n),
             _ => ([1, 2, n - 3], n),
         };
