@@ -184,7 +184,7 @@ fn normal_is_none_where_there_is_none() {
     assert_eq!(limits[0].normal(), None);
 }
 
-/// **What is no mesh of triangles, or has other points, is refused** with the face or the counts.
+/// **What is no mesh of triangles, or has other points, is refused.** The message names the face, or the two counts.
 #[test]
 fn limits_of_the_wrong_mesh_are_refused() {
     let square = polygon(4).with_points(vec![[0.0_f64; 3]; 4]);
@@ -363,7 +363,7 @@ fn eigenvalues_of_extreme_valences() {
     assert!(eigenvalues.next < eigenvalues.tangent && eigenvalues.tangent < 0.654_51);
 }
 
-/// **What has no bound is refused**: other faces than quadrilaterals for Catmull-Clark, of which the first step makes quadrilaterals, and other faces than triangles for Loop.
+/// **What has no bound is refused.** The bound is for quadrilaterals with Catmull-Clark, and other faces are named; of them the first step makes quadrilaterals. With Loop it is for triangles.
 #[test]
 fn bound_is_for_quadrilaterals_or_triangles() {
     let triangle = polygon(3).with_points(vec![[0.0_f64; 3]; 3]);

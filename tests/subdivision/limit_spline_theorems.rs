@@ -57,7 +57,7 @@ fn grid_points(count: usize) -> impl Strategy<Value = Vec<Point>> {
     proptest::collection::vec(point, count)
 }
 
-/// **Regular Catmull-Clark is the bicubic B-spline**, with its partial derivatives. At a regular vertex, at a regular boundary vertex and at a sharp corner of a single face the limit position is the point of the uniform bicubic B-spline surface, and the tangents are its partial
+/// **Regular Catmull-Clark is the bicubic B-spline.** It has its partial derivatives too. At a regular vertex, at a regular boundary vertex and at a sharp corner of a single face the limit position is the point of the uniform bicubic B-spline surface, and the tangents are its partial
 /// derivatives there. Beyond a boundary the net of the B-spline goes on straight: $P_{-1}=2P_0-P_1$. In the inside the surface is therefore $C^2$.
 ///
 /// Course: D23, slide 76, Catmull-Clark is C2 at regular points.

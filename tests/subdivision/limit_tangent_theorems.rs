@@ -115,7 +115,7 @@ fn tangents_are_eigenvectors_of_a_step() {
 }
 
 /// **The ring of √3 turns.** One step of $\sqrt3$ at an interior vertex multiplies $t_1+it_2$ by $\lambda=\frac13\left(1+e^{2\pi i/n}\right)=\frac23\cos\frac\pi n\,e^{i\pi/n}$: the tangents shrink, and turn by $\frac\pi n$ in their plane, since the new
-/// neighbours are centroids, half a turn of a spoke further. The plane and the normal stay. Exact at $n=3,4,6$, with sines in units of $\sin\frac{2\pi}n$.
+/// neighbours are centroids, half a spoke further. The plane and the normal stay. Exact at $n=3,4,6$, with sines in units of $\sin\frac{2\pi}n$.
 ///
 /// Course: D03, slide 50, √3: its local matrix has complex eigenvalues.
 #[test]

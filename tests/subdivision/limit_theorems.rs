@@ -89,7 +89,7 @@ fn limits_of_loop_and_sqrt3_are_not_moved_by_steps() {
     );
 }
 
-/// **A face of Doo-Sabin shrinks to its centroid**, with either kind of weights, on the boundary as inside, and whether it is flat or not. So the limit points of a vertex and of an edge are the centroids of the faces that the first step makes of them.
+/// **A face of Doo-Sabin shrinks to its centroid.** It does so with either kind of weights, on the boundary as inside, and whether it is flat or not. So the limit points of a vertex and of an edge are the centroids of the faces that the first step makes of them.
 ///
 /// Course: D16, slide 68, Doo-Sabin: the centroid of an n-gon stays.
 #[test]

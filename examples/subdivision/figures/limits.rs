@@ -59,7 +59,7 @@ pub fn eigenvalues() -> Figure {
     let plot = Plot::new("The eigenvalue λ", "valence n, or corners of the face", "λ");
     plotted(
         "eigenvalues",
-        "The eigenvalue $\\lambda$ of the tangents: by this factor the ring of a vertex (for Doo-Sabin the face) shrinks in a step. At a regular vertex it is $\\frac12$, for $\\sqrt3$ $\\frac1{\\sqrt3}$. Rings of low valence shrink fast and are crowded, rings of high valence shrink slowly and leave \
+        "The eigenvalue $\\lambda$ of the tangents: by this factor the ring of a vertex (for Doo-Sabin the face) shrinks in a step. At a regular vertex it is $\\frac12$, or $\\frac1{\\sqrt3}$ with the scheme $\\sqrt3$. Rings of low valence shrink fast and are crowded, rings of high valence shrink slowly and leave \
          long faces; only Doo's and Sabin's own weights make no difference.",
         "A plot of five curves over the valence from 3 to 24. Four rise and level off between 0.62 and 0.75; the fifth is constant at one half.",
         &against_valence(plot, |e| e.tangent),
