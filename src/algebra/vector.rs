@@ -37,6 +37,19 @@ pub trait VectorSpace: Copy + Debug + PartialEq + Send + Sync + 'static {
     /// When the index is not below the dimension.
     fn coordinate(self, index: usize) -> Self::Scalar;
 
+    /// A row of vectors as the row of their coordinates, one vector after the other: what is done to each coordinate alike can then be done to
+    /// many at once. `None` where they do not lie in memory like that.
+    fn flattened(row: &[Self]) -> Option<&[Self::Scalar]> {
+        let _ = row;
+        None
+    }
+
+    /// The same row as [`flattened`](Self::flattened), to be written.
+    fn flattened_mut(row: &mut [Self]) -> Option<&mut [Self::Scalar]> {
+        let _ = row;
+        None
+    }
+
     /// Linear interpolation `(1 − t) self + t other`.
     ///
     /// # Accuracy
@@ -177,6 +190,14 @@ impl<S: Scalar> VectorSpace for S {
         );
         self
     }
+
+    fn flattened(row: &[S]) -> Option<&[S]> {
+        Some(row)
+    }
+
+    fn flattened_mut(row: &mut [S]) -> Option<&mut [S]> {
+        Some(row)
+    }
 }
 
 impl<S: Scalar, const N: usize> VectorSpace for [S; N] {
@@ -201,6 +222,14 @@ impl<S: Scalar, const N: usize> VectorSpace for [S; N] {
 
     fn coordinate(self, index: usize) -> S {
         self[index]
+    }
+
+    fn flattened(row: &[Self]) -> Option<&[S]> {
+        Some(row.as_flattened())
+    }
+
+    fn flattened_mut(row: &mut [Self]) -> Option<&mut [S]> {
+        Some(row.as_flattened_mut())
     }
 }
 

@@ -80,6 +80,16 @@ pub enum SubdivisionError {
         /// How many vertices there are.
         expected: usize,
     },
+    /// The caller's memory has not the length of what is to be written.
+    #[error("memory for {found} {what} was handed in: there are {expected}")]
+    BufferLength {
+        /// What is to be written.
+        what: &'static str,
+        /// How many the memory has room for.
+        found: usize,
+        /// How many there are.
+        expected: usize,
+    },
     /// The result has more vertices, edges or corners than 32-bit numbers can name.
     #[error("{levels} levels make more than 2^32 - 1 {what}: ask for fewer")]
     TooLarge {

@@ -41,6 +41,7 @@ pub mod evaluate;
 pub mod limit;
 mod loop_scheme;
 pub mod mask;
+mod refinement;
 mod repair;
 mod sqrt3;
 
@@ -51,5 +52,6 @@ pub use doo_sabin::{doo_sabin, doo_sabin_with};
 pub use error::SubdivisionError;
 pub use loop_scheme::{loop_subdivision, loop_subdivision_with};
 pub use mask::{Corners, DooSabinWeights};
+pub use refinement::{Refinement, Scratch};
 pub use repair::{Repair, repaired};
 pub use sqrt3::{Sqrt3Boundary, sqrt3, sqrt3_with};

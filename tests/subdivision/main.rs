@@ -31,6 +31,8 @@ mod meshes;
 mod mistakes;
 mod nets;
 mod plain_rules;
+mod refinement_match;
+mod refinement_theorems;
 mod repair_theorems;
 #[path = "../ground_floor/scratch.rs"]
 #[allow(dead_code, reason = "the chapter uses its part of this toolbox")]
