@@ -249,7 +249,7 @@ pub fn biquadratic_matrix() -> Figure {
     }
     Figure::drawn(
         "biquadratic_matrix",
-        "The nine entries of the matrix 16*P*′, each as a table of the weights of *P*00 to *P*22. Transposing the whole figure and every table in it leaves it as it is. The framed entry is the one that the slide prints wrongly, with 9 and 3 exchanged in its middle column.",
+        "The nine entries of the matrix $16P'$, each as a table of the weights of $P_{00}$ to $P_{22}$. Transposing the whole figure and every table in it leaves it as it is. The framed entry is the one that the slide prints wrongly, with 9 and 3 exchanged in its middle column.",
         "Nine small tables of three rows and three columns, in three rows. In the first table the number 9 stands at the upper left with a 3 to its right and a 3 below it, and a 1 between them. In the others the same square of 9, 3, 3 and 1 has other places and is mirrored. The table in the second row and third column is framed; it has 0 3 1, 0 9 3, 0 0 0.",
         &drawing,
     )
