@@ -94,7 +94,7 @@ fn cages() -> Vec<(Scheme, Topology)> {
 
 /// **How far a level is from the limit.** Take a level as bilinear over every quadrilateral (Catmull-Clark) or linear over every triangle (Loop). With $M$ the largest second difference across an edge, $a+b-2v$ for quadrilaterals and $v+q-a-b$ for triangles, the control mesh is nowhere further from the limit than
 /// $\beta M/(1-\rho)$, and after $k$ steps than $\rho^k$ times that, in every coordinate. On regular meshes $\rho=\frac14$, with $\beta=\frac14$ for Catmull-Clark and $\frac38$ for Loop. For Catmull-Clark $\rho=\frac23$ at valence 3 and $\frac{18}{25}$ at 5; for Loop $\rho=\frac58+(n-6)\frac{1-\alpha}n$ from valence 7 on. Second
-/// differences along a boundary shrink to a quarter, and count apart. Compared with the limit positions of the next level's vertices, at levels 0 to 3. At level 0 the largest distance is more than half of the bound, later it falls behind where the true rate is smaller than $\rho$.
+/// differences along a boundary shrink to a quarter, and count apart. Compared with the limit positions of the next level's vertices, at levels 0 to 3. On regular meshes the bound is reached at every level; elsewhere it falls behind with the levels, since the true rate is smaller than $\rho$.
 ///
 /// Course: D24, slide 77, refined meshes converge to the limit surface.
 #[test]
@@ -135,11 +135,10 @@ fn level_is_no_further_from_the_limit_than_its_bound() {
         }
     }
     println!("largest parts of the bounds by level: {worst:.3?}");
-    assert!(worst.iter().all(|&part| part >= 0.25), "{worst:?}");
-    assert!(worst[0] >= 0.5, "{worst:?}");
+    assert!(worst.iter().all(|&part| part >= 0.9), "{worst:?}");
 }
 
-/// **The constants of the bound** at the valences where others have published them, and everywhere below 1, so that the bound goes to zero: $\rho=\frac14$ on regular meshes, $\frac23$ and $\frac{18}{25}$ for Catmull-Clark at valence 3 and 5 (Cheng, Chen and Yong), and less than $0.86$ for Loop at any valence. A tolerance is met
+/// **The constants of the bound.** They are below 1 at every valence, so that the bound goes to zero, and those that others have published at the valences where they have: $\rho=\frac14$ on regular meshes, $\frac23$ and $\frac{18}{25}$ for Catmull-Clark at valence 3 and 5 (Cheng, Chen and Yong), and less than $0.86$ for Loop at any valence. A tolerance is met
 /// at the level that the bound gives.
 ///
 /// Course: D23, slide 76, Catmull-Clark: the rate of convergence.

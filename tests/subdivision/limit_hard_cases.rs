@@ -363,7 +363,7 @@ fn eigenvalues_of_extreme_valences() {
     assert!(eigenvalues.next < eigenvalues.tangent && eigenvalues.tangent < 0.654_51);
 }
 
-/// **What has no bound is refused.** The bound is for quadrilaterals with Catmull-Clark, and other faces are named; of them the first step makes quadrilaterals. With Loop it is for triangles.
+/// **What has no bound is refused.** With Catmull-Clark the bound is for quadrilaterals, which a first step makes of any faces; with Loop it is for triangles. The first face that is neither is named.
 #[test]
 fn bound_is_for_quadrilaterals_or_triangles() {
     let triangle = polygon(3).with_points(vec![[0.0_f64; 3]; 3]);

@@ -203,7 +203,7 @@ fn weight_of_valence_six_leaves_a_tip_at_valence_three() {
 }
 
 /// **Too many faces on a boundary.** The boundary's own tangent has the eigenvalue $\frac12$, whatever is inside. With $k$ faces at the vertex, waves of half a turn have the eigenvalue $\lambda$ of valence $2k$, whole turns that of valence $k$. The second must be less than $\frac12$, or there is no tangent plane: it is for $k\le3$ quadrilaterals and
-/// $k\le5$ triangles, and not for more. Seen here: the normals at such a vertex come together for $k\le3$ and $k\le5$; for 5 quadrilaterals and for 7 triangles they do not in forty levels.
+/// $k\le5$ triangles, and not for more. Seen here: the normals at such a vertex come together for 2 and 3 quadrilaterals and for 2 and 4 triangles; for 5 quadrilaterals and for 7 triangles they do not in forty levels.
 ///
 /// Course: D27, slide 78, boundaries by the cubic rule: their smoothness.
 /// Erratum: the slide takes the cubic rule for the border, and no more. It is right for the border itself, but a border vertex with four quadrilaterals or six triangles and more is not smooth with it, and a single sharp corner is rounded off unless it is kept. Biermann, Levin and Zorin change the rules of the inside near the border for that reason.
