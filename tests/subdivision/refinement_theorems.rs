@@ -5,7 +5,7 @@ use facette::subdivision::{Connectivity, Corners, Refinement};
 
 use crate::common::exact::Exact;
 use crate::common::law::{Law, Verdict};
-use crate::meshes::{Cage, hard_meshes, meshes};
+use crate::meshes::{Cage, hard_meshes, hard_triangle_meshes, meshes, triangle_meshes};
 use crate::refinement_match::expect_same_mesh;
 use crate::steps::{Scheme, corner_rules, rational_cosine};
 use crate::suspects;
@@ -26,7 +26,7 @@ fn planned(plan: &Refinement, points: &[[Exact; 3]]) -> Mesh<[Exact; 3]> {
     let positions = plan
         .positions_with(points, rational_cosine)
         .expect("a point for each vertex");
-    Mesh::new(positions, plan.quads()).expect("a mesh")
+    Mesh::new(positions, plan.faces()).expect("a mesh")
 }
 
 /// **A plan of Catmull-Clark is its steps.** Refined by patches, through any number of levels, a mesh has the same faces and exactly the same points as after as many steps one by one, up to the numbers of vertices and faces: with faces of any number of sides, vertices of any valence, boundaries, sharp and round corners.
@@ -67,4 +67,29 @@ fn catmull_clark_agrees(cage: &Cage<[Exact; 3]>, corners: Corners, levels: u32) 
         [in_steps, 4 * face * side * side]
     });
     expect_same_mesh(&steps, &planned, seeds)
+}
+
+/// **A plan of Loop is its steps.** The same for triangles: any valence, boundaries, sharp and round corners.
+///
+/// In the steps the face $4^kf$ lies at the first corner of face $f$, in the plan it is the first of patch $f$.
+///
+/// Course: D25, slides 77-78, Loop: the scheme, level after level.
+#[test]
+fn plan_of_loop_is_its_steps() {
+    let theorem = "subdivision::plan_of_loop_is_its_steps";
+    let inputs = (triangle_meshes(), corner_rules(), 0..4_u32);
+    let hard = (hard_triangle_meshes(), corner_rules(), 0..4_u32);
+    Law::new(theorem, suspects::library)
+        .on_cases(48)
+        .holds(inputs, hard, |input: &Input| {
+            let (cage, corners, levels) = input;
+            let connectivity = cage.connectivity();
+            let plan = Refinement::loop_subdivision(&connectivity, *levels, *corners);
+            let plan = plan.expect("a small mesh");
+            let steps = stepped(Scheme::Loop, &cage.mesh, *levels, *corners);
+            let planned = planned(&plan, &cage.mesh.positions);
+            let faces = 0..u32::try_from(connectivity.face_count()).expect("a small mesh");
+            let seeds = faces.map(|face| [3 * face << (2 * levels); 2]);
+            expect_same_mesh(&steps, &planned, seeds)
+        });
 }

@@ -25,25 +25,31 @@
 //!
 //! *In the book*: [Refinement in patches](../../../subdivision/refinement.html).
 
+mod box_spline;
 mod catmull_clark;
 mod cubic;
 mod cubic_star;
+mod loop_scheme;
+mod loop_star;
 mod patches;
 mod prelude;
 mod quad_writer;
 mod quads;
 mod rows;
 mod stars;
+mod triangles;
 
 pub use patches::Scratch;
 
 use rayon::prelude::*;
 
 use self::catmull_clark::CubicPatches;
+use self::loop_scheme::LoopPatches;
 use self::patches::{PatchOut, Source, refine_all};
 use self::prelude::{Prelude, Rule};
+use self::quads::QuadNumbering;
 use super::connectivity::index_of;
-use super::mask::turn_cosine;
+use super::mask::{loop_vertex_weight, turn_cosine};
 use super::{Connectivity, Corners, SubdivisionError};
 use crate::algebra::{Real, VectorSpace};
 use crate::mesh::Mesh;
@@ -80,6 +86,7 @@ enum Patchwork {
     /// Not at all.
     Unrefined(Connectivity),
     Cubic(CubicPatches),
+    Loop(LoopPatches),
 }
 
 impl Refinement {
@@ -113,6 +120,29 @@ impl Refinement {
         })
     }
 
+    /// The plan for `levels` levels of Loop's scheme.
+    ///
+    /// # Errors
+    ///
+    /// [`SubdivisionError::NotATriangle`]; [`SubdivisionError::TooLarge`] beyond 32-bit numbers.
+    pub fn loop_subdivision(
+        connectivity: &Connectivity,
+        levels: u32,
+        corners: Corners,
+    ) -> Result<Self, SubdivisionError> {
+        connectivity.must_be_triangles()?;
+        let (prelude, connectivity) = Prelude::new(Rule::Loop, connectivity, levels)?;
+        let rest = match connectivity.face_count() {
+            0 => 0,
+            _ => levels,
+        };
+        Ok(Self {
+            levels,
+            prelude,
+            patchwork: Patchwork::Loop(LoopPatches::new(connectivity, rest, corners)),
+        })
+    }
+
     /// How many levels are refined.
     pub fn levels(&self) -> u32 {
         self.levels
@@ -128,6 +158,7 @@ impl Refinement {
         let patchwork = match &self.patchwork {
             Patchwork::Unrefined(connectivity) => bytes_of(connectivity),
             Patchwork::Cubic(plan) => plan.bytes(),
+            Patchwork::Loop(plan) => plan.bytes(),
         };
         self.prelude.bytes() + patchwork
     }
@@ -137,14 +168,15 @@ impl Refinement {
         match &self.patchwork {
             Patchwork::Unrefined(connectivity) => connectivity.vertex_count(),
             Patchwork::Cubic(plan) => plan.numbering.vertex_count(),
+            Patchwork::Loop(plan) => plan.numbering.vertex_count(),
         }
     }
 
     /// How many quadrilaterals the refined mesh has.
     pub fn quad_count(&self) -> usize {
         match &self.patchwork {
-            Patchwork::Unrefined(_) => 0,
             Patchwork::Cubic(plan) => plan.numbering.quad_count(),
+            _ => 0,
         }
     }
 
@@ -168,15 +200,47 @@ impl Refinement {
 
     fn write_quads(&self, out: &mut [[u32; 4]]) {
         if let Patchwork::Cubic(plan) = &self.patchwork {
-            let quads = plan.numbering.quads_per_face();
-            if rayon::current_num_threads() == 1 {
-                for (face, out) in (0..).zip(out.chunks_exact_mut(quads)) {
-                    plan.numbering.write_faces(face, out);
-                }
-            } else {
-                let faces = out.par_chunks_exact_mut(quads).enumerate();
-                faces.for_each(|(face, out)| plan.numbering.write_faces(index_of(face), out));
+            let numbering = &plan.numbering;
+            for_each_face(out, numbering.quads_per_face(), |face, out| {
+                numbering.write_faces(face, out);
+            });
+        }
+    }
+
+    /// How many triangles the refined mesh has.
+    pub fn triangle_count(&self) -> usize {
+        match &self.patchwork {
+            Patchwork::Loop(plan) => {
+                plan.numbering.edges.connectivity.face_count() * plan.numbering.triangles_per_face()
             }
+            _ => 0,
+        }
+    }
+
+    /// The triangles of the refined mesh: patch by patch, each row by row.
+    pub fn triangles(&self) -> Vec<[u32; 3]> {
+        let mut triangles = vec![[0; 3]; self.triangle_count()];
+        self.write_triangles(&mut triangles);
+        triangles
+    }
+
+    /// Writes the [`triangles`](Self::triangles) into memory of the caller's.
+    ///
+    /// # Errors
+    ///
+    /// [`SubdivisionError::BufferLength`].
+    pub fn triangles_into(&self, out: &mut [[u32; 3]]) -> Result<(), SubdivisionError> {
+        must_have_length("triangles", self.triangle_count(), out.len())?;
+        self.write_triangles(out);
+        Ok(())
+    }
+
+    fn write_triangles(&self, out: &mut [[u32; 3]]) {
+        if let Patchwork::Loop(plan) = &self.patchwork {
+            let numbering = &plan.numbering;
+            for_each_face(out, numbering.triangles_per_face(), |face, out| {
+                numbering.write_faces(face, out);
+            });
         }
     }
 
@@ -189,6 +253,7 @@ impl Refinement {
         match &self.patchwork {
             Patchwork::Unrefined(connectivity) => connectivity.vertices_of(patch)[0],
             Patchwork::Cubic(plan) => plan.numbering.vertex(patch, row, column),
+            Patchwork::Loop(plan) => plan.numbering.vertex(patch, row, column),
         }
     }
 
@@ -246,30 +311,53 @@ impl Refinement {
     ) -> Result<(), SubdivisionError> {
         self.prelude.must_have_points(points.len())?;
         let base = self.prelude.refine(points, &mut scratch.base, cosine)?;
+        let Scratch {
+            stars,
+            corners,
+            workers,
+            ..
+        } = scratch;
         match &self.patchwork {
             Patchwork::Cubic(plan) if plan.levels() > 0 => {
-                plan.refine_stars(base, &mut scratch.stars);
-                let numbering = &plan.numbering;
-                let count = numbering.connectivity.face_count();
-                scratch.corners.resize(4 * count, P::origin());
-                let (vertices, rest) = out.split_at_mut(base.len());
-                let (edges, inside) =
-                    rest.split_at_mut(numbering.connectivity.edge_count() * numbering.edge_size());
+                plan.refine_stars(base, stars);
+                let (vertices, parts) = split(&plan.numbering, 4, base, corners, out);
+                let count = plan.numbering.connectivity.face_count();
                 let source = Source {
                     points: base,
-                    stars: &scratch.stars,
+                    stars,
                 };
-                let patches = PatchOut {
-                    edges,
-                    inside,
-                    corners: &mut scratch.corners,
+                refine_all(plan, count, source, workers, parts);
+                plan.write_vertices(base, stars, corners, vertices);
+            }
+            Patchwork::Loop(plan) if plan.levels() > 0 => {
+                plan.refine_stars(base, stars, |n| loop_vertex_weight(cosine(1, n)));
+                let (vertices, parts) = split(&plan.numbering.edges, 3, base, corners, out);
+                let count = plan.numbering.edges.connectivity.face_count();
+                let source = Source {
+                    points: base,
+                    stars,
                 };
-                refine_all(plan, count, source, &mut scratch.workers, patches);
-                plan.write_vertices(base, &scratch.stars, &scratch.corners, vertices);
+                refine_all(plan, count, source, workers, parts);
+                plan.write_vertices(base, stars, corners, vertices);
             }
             _ => out.copy_from_slice(base),
         }
         Ok(())
+    }
+
+    /// All faces of the refined mesh: quadrilaterals, then triangles, then the others.
+    pub fn faces(&self) -> Vec<Vec<u32>> {
+        let others = match &self.patchwork {
+            Patchwork::Unrefined(connectivity) => Some(connectivity),
+            _ => None,
+        };
+        let others = others.into_iter().flat_map(|connectivity| {
+            let faces = 0..index_of(connectivity.face_count());
+            faces.map(|face| connectivity.vertices_of(face).to_vec())
+        });
+        let quads = self.quads().into_iter().map(Vec::from);
+        let triangles = self.triangles().into_iter().map(Vec::from);
+        quads.chain(triangles).chain(others).collect()
     }
 
     /// The refined mesh.
@@ -282,7 +370,19 @@ impl Refinement {
         P::Scalar: Real,
     {
         let positions = self.positions(points)?;
-        Ok(Mesh::new(positions, self.quads())?)
+        Ok(Mesh::new(positions, self.faces())?)
+    }
+}
+
+/// Writes the pieces of each face, on as many threads as there are.
+fn for_each_face<T: Send>(out: &mut [T], pieces: usize, write: impl Fn(u32, &mut [T]) + Sync) {
+    if rayon::current_num_threads() > 1 {
+        let faces = out.par_chunks_exact_mut(pieces).enumerate();
+        faces.for_each(|(face, out)| write(index_of(face), out));
+        return;
+    }
+    for (face, out) in (0..).zip(out.chunks_exact_mut(pieces)) {
+        write(face, out);
     }
 }
 
@@ -300,6 +400,26 @@ fn must_have_length(
             expected,
         })
     }
+}
+
+/// The memory for the vertices, and that for the patches.
+fn split<'a, 'out: 'a, P: VectorSpace>(
+    edges: &QuadNumbering,
+    corner_count: usize,
+    base: &[P],
+    corners: &'a mut Vec<P>,
+    out: &'out mut [P],
+) -> (&'out mut [P], PatchOut<'a, P>) {
+    let connectivity = &edges.connectivity;
+    corners.resize(corner_count * connectivity.face_count(), P::origin());
+    let (vertices, rest) = out.split_at_mut(base.len());
+    let (edges, inside) = rest.split_at_mut(connectivity.edge_count() * edges.edge_size());
+    let patches = PatchOut {
+        edges,
+        inside,
+        corners,
+    };
+    (vertices, patches)
 }
 
 /// Bytes that a connectivity keeps, at most.

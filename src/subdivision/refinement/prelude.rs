@@ -9,6 +9,8 @@ use crate::mesh::Mesh;
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Rule {
     CatmullClark(Corners),
+    /// A mesh of triangles is a patchwork at once.
+    Loop,
 }
 
 /// The first steps.
@@ -100,6 +102,7 @@ impl Rule {
         for _ in growing {
             let next = match self {
                 Self::CatmullClark(_) => counts.after_catmull_clark(),
+                Self::Loop => counts.after_loop(),
             };
             counts = next.map_err(|error| match error {
                 SubdivisionError::TooLarge { what, .. } => {
@@ -114,6 +117,7 @@ impl Rule {
     fn is_patchwork(self, connectivity: &Connectivity) -> bool {
         match self {
             Self::CatmullClark(_) => is_quads(connectivity),
+            Self::Loop => true,
         }
     }
 
@@ -125,6 +129,7 @@ impl Rule {
     ) -> Result<Mesh<P>, SubdivisionError> {
         match self {
             Self::CatmullClark(corners) => catmull_clark(connectivity, points, corners),
+            Self::Loop => unreachable!("a patchwork needs no steps"),
         }
     }
 }

@@ -29,8 +29,8 @@ pub(super) struct Line {
 /// The numbers `first + step · t` for t = 0, 1, ..., modulo 2³².
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Progression {
-    first: u32,
-    step: u32,
+    pub(super) first: u32,
+    pub(super) step: u32,
 }
 
 impl Progression {
@@ -119,15 +119,16 @@ impl QuadNumbering {
     }
 
     /// The points inside the edges that the faces from `first` on own, side by side.
-    pub(super) fn sides<'a, P, const LANES: usize>(
+    pub(super) fn sides<'a, P, const SIDES: usize, const LANES: usize>(
         &self,
         first: usize,
         mut owned: &'a mut [P],
-    ) -> [[Option<&'a mut [P]>; 4]; LANES] {
+    ) -> [[Option<&'a mut [P]>; SIDES]; LANES] {
         std::array::from_fn(|lane| {
             let face = index_of(first + lane);
             let h = self.connectivity.half_edges_of(face).start;
-            [0, 1, 2, 3].map(|side| {
+            std::array::from_fn(|side| {
+                let side = index_of(side);
                 let edge = self.connectivity.edge_of(h + side);
                 let is_owned = self.connectivity.half_edge_of(edge) == h + side;
                 is_owned
@@ -142,7 +143,7 @@ impl QuadNumbering {
     }
 
     /// The points inside the edge of a half-edge, in its direction.
-    fn along(&self, half_edge: u32) -> Progression {
+    pub(super) fn along(&self, half_edge: u32) -> Progression {
         let edge = self.connectivity.edge_of(half_edge);
         let before = index_of(self.connectivity.vertex_count());
         let inside = self.side - 1;
