@@ -151,10 +151,10 @@ fn corner_mask(weights: [i32; 3], name: &str) -> Drawing {
     let mean: DVec2 = terms.map(|(&p, w)| p * f64::from(w) / f64::from(sum)).sum();
     let mut drawing = Drawing::new(MASK_PANEL[0], MASK_PANEL[1]);
     drawing = drawing.polyline(&CORNER, Stroke::new(Colour::Faint, 2.0));
-    for (place, weight) in CORNER.into_iter().zip(weights) {
+    for (index, (place, weight)) in CORNER.into_iter().zip(weights).enumerate() {
         if weight != 0 {
-            let is_top = place == CORNER[1];
-            let label = [place[0], place[1] + if is_top { -18.0 } else { 34.0 }];
+            let below = if index == 1 { -18.0 } else { 34.0 };
+            let label = [place[0], place[1] + below];
             drawing =
                 ring(drawing, place).text(label, &format!("{weight}/{sum}"), TEXT, Anchor::Middle);
         }
@@ -229,7 +229,7 @@ fn farthest_vertex(degree: usize, rounds: u32) -> f64 {
     let curve = limit(degree, Ends::Closed);
     let [_, period] = curve.domain();
     // Vertices of even degree stand half a span behind the knots.
-    let offset = if degree % 2 == 0 { -0.5 } else { 0.0 };
+    let offset = if degree.is_multiple_of(2) { -0.5 } else { 0.0 };
     let span = 0.5_f64.powi(rounds.try_into().unwrap_or(i32::MAX));
     let distance = |(i, p): (usize, &DVec2)| {
         let u = ((i as f64 + offset) * span).rem_euclid(period);
