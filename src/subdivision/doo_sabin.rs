@@ -99,9 +99,8 @@ pub fn doo_sabin_with<P: VectorSpace>(
 ) -> Result<Mesh<P>, SubdivisionError> {
     connectivity.must_have_points(points.len())?;
     Counts::of(connectivity).after_doo_sabin(corners)?;
-    let mut positions = corner_points(connectivity, points, weight);
     let boundary = Boundary::new(connectivity, corners);
-    positions.extend(boundary.points(connectivity, points));
+    let positions = boundary.all_points(connectivity, points, weight);
     // ANCHOR: faces
     let faces = (0..index_of(connectivity.face_count()))
         .map(|face| connectivity.half_edges_of(face).collect::<Vec<_>>());
@@ -123,6 +122,16 @@ pub fn doo_sabin_with<P: VectorSpace>(
     // ANCHOR_END: faces
     let new_faces = faces.chain(of_edges).chain(of_vertices);
     Ok(Mesh::new(positions, new_faces)?)
+}
+
+/// The points of [`doo_sabin_with`] alone, for one who has the faces.
+pub(super) fn doo_sabin_points<P: VectorSpace>(
+    connectivity: &Connectivity,
+    points: &[P],
+    corners: Corners,
+    weight: impl Fn(usize, usize) -> P::Scalar,
+) -> Vec<P> {
+    Boundary::new(connectivity, corners).all_points(connectivity, points, weight)
 }
 
 // ANCHOR: corner_points
@@ -176,6 +185,18 @@ impl Boundary {
             first: index_of(connectivity.half_edge_count()),
             sharp: vertices.filter(is_sharp).collect(),
         }
+    }
+
+    /// The corner points of all faces, then those along the boundary.
+    fn all_points<P: VectorSpace>(
+        &self,
+        connectivity: &Connectivity,
+        points: &[P],
+        weight: impl Fn(usize, usize) -> P::Scalar,
+    ) -> Vec<P> {
+        let mut positions = corner_points(connectivity, points, weight);
+        positions.extend(self.points(connectivity, points));
+        positions
     }
 
     /// Chaikin's points along the boundary, then the corners.

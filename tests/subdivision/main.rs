@@ -31,6 +31,7 @@ mod meshes;
 mod mistakes;
 mod nets;
 mod plain_rules;
+mod refinement_doo_sabin_theorems;
 mod refinement_match;
 mod refinement_theorems;
 mod repair_theorems;

@@ -10,6 +10,9 @@
 //! A patch of Catmull-Clark is a quadrilateral: column 0 to `side` along its first half-edge, row 0 to `side` from there to the opposite
 //! side. Its points are numbered as [`Refinement::vertex`] says.
 //!
+//! A patch of Doo-Sabin is a vertex, which becomes a block of `side` x `side` points: rows and columns 0 to `side − 1`, columns in the
+//! direction of the vertex's first half-edge, rows in that of its second.
+//!
 //! # Numerics
 //!
 //! The masks are means, applied along the rows and then across: a level adds a rounding error of few units in the last place. Each point
@@ -25,10 +28,14 @@
 //!
 //! *In the book*: [Refinement in patches](../../../subdivision/refinement.html).
 
+mod biquadratic;
+mod blocks;
 mod box_spline;
 mod catmull_clark;
 mod cubic;
 mod cubic_star;
+mod doo_sabin;
+mod faces;
 mod loop_scheme;
 mod loop_star;
 mod patches;
@@ -41,9 +48,8 @@ mod triangles;
 
 pub use patches::Scratch;
 
-use rayon::prelude::*;
-
 use self::catmull_clark::CubicPatches;
+use self::doo_sabin::BiquadraticBlocks;
 use self::loop_scheme::LoopPatches;
 use self::patches::{PatchOut, Source, refine_all};
 use self::prelude::{Prelude, Rule};
@@ -86,6 +92,7 @@ enum Patchwork {
     /// Not at all.
     Unrefined(Connectivity),
     Cubic(CubicPatches),
+    Biquadratic(BiquadraticBlocks),
     Loop(LoopPatches),
 }
 
@@ -158,6 +165,7 @@ impl Refinement {
         let patchwork = match &self.patchwork {
             Patchwork::Unrefined(connectivity) => bytes_of(connectivity),
             Patchwork::Cubic(plan) => plan.bytes(),
+            Patchwork::Biquadratic(plan) => plan.bytes(),
             Patchwork::Loop(plan) => plan.bytes(),
         };
         self.prelude.bytes() + patchwork
@@ -168,79 +176,8 @@ impl Refinement {
         match &self.patchwork {
             Patchwork::Unrefined(connectivity) => connectivity.vertex_count(),
             Patchwork::Cubic(plan) => plan.numbering.vertex_count(),
+            Patchwork::Biquadratic(plan) => plan.numbering.vertex_count(),
             Patchwork::Loop(plan) => plan.numbering.vertex_count(),
-        }
-    }
-
-    /// How many quadrilaterals the refined mesh has.
-    pub fn quad_count(&self) -> usize {
-        match &self.patchwork {
-            Patchwork::Cubic(plan) => plan.numbering.quad_count(),
-            _ => 0,
-        }
-    }
-
-    /// The quadrilaterals of the refined mesh: patch by patch, each row by row.
-    pub fn quads(&self) -> Vec<[u32; 4]> {
-        let mut quads = vec![[0; 4]; self.quad_count()];
-        self.write_quads(&mut quads);
-        quads
-    }
-
-    /// Writes the [`quads`](Self::quads) into memory of the caller's.
-    ///
-    /// # Errors
-    ///
-    /// [`SubdivisionError::BufferLength`].
-    pub fn quads_into(&self, out: &mut [[u32; 4]]) -> Result<(), SubdivisionError> {
-        must_have_length("quadrilaterals", self.quad_count(), out.len())?;
-        self.write_quads(out);
-        Ok(())
-    }
-
-    fn write_quads(&self, out: &mut [[u32; 4]]) {
-        if let Patchwork::Cubic(plan) = &self.patchwork {
-            let numbering = &plan.numbering;
-            for_each_face(out, numbering.quads_per_face(), |face, out| {
-                numbering.write_faces(face, out);
-            });
-        }
-    }
-
-    /// How many triangles the refined mesh has.
-    pub fn triangle_count(&self) -> usize {
-        match &self.patchwork {
-            Patchwork::Loop(plan) => {
-                plan.numbering.edges.connectivity.face_count() * plan.numbering.triangles_per_face()
-            }
-            _ => 0,
-        }
-    }
-
-    /// The triangles of the refined mesh: patch by patch, each row by row.
-    pub fn triangles(&self) -> Vec<[u32; 3]> {
-        let mut triangles = vec![[0; 3]; self.triangle_count()];
-        self.write_triangles(&mut triangles);
-        triangles
-    }
-
-    /// Writes the [`triangles`](Self::triangles) into memory of the caller's.
-    ///
-    /// # Errors
-    ///
-    /// [`SubdivisionError::BufferLength`].
-    pub fn triangles_into(&self, out: &mut [[u32; 3]]) -> Result<(), SubdivisionError> {
-        must_have_length("triangles", self.triangle_count(), out.len())?;
-        self.write_triangles(out);
-        Ok(())
-    }
-
-    fn write_triangles(&self, out: &mut [[u32; 3]]) {
-        if let Patchwork::Loop(plan) = &self.patchwork {
-            let numbering = &plan.numbering;
-            for_each_face(out, numbering.triangles_per_face(), |face, out| {
-                numbering.write_faces(face, out);
-            });
         }
     }
 
@@ -253,6 +190,7 @@ impl Refinement {
         match &self.patchwork {
             Patchwork::Unrefined(connectivity) => connectivity.vertices_of(patch)[0],
             Patchwork::Cubic(plan) => plan.numbering.vertex(patch, row, column),
+            Patchwork::Biquadratic(plan) => plan.numbering.vertex(patch, row, column),
             Patchwork::Loop(plan) => plan.numbering.vertex(patch, row, column),
         }
     }
@@ -329,6 +267,19 @@ impl Refinement {
                 refine_all(plan, count, source, workers, parts);
                 plan.write_vertices(base, stars, corners, vertices);
             }
+            Patchwork::Biquadratic(plan) if plan.levels() > 0 => {
+                plan.refine_stars(base, stars, cosine);
+                let source = Source {
+                    points: base,
+                    stars,
+                };
+                let blocks = PatchOut {
+                    edges: &mut [],
+                    inside: out,
+                    corners: &mut [],
+                };
+                refine_all(plan, plan.numbering.block_count(), source, workers, blocks);
+            }
             Patchwork::Loop(plan) if plan.levels() > 0 => {
                 plan.refine_stars(base, stars, |n| loop_vertex_weight(cosine(1, n)));
                 let (vertices, parts) = split(&plan.numbering.edges, 3, base, corners, out);
@@ -345,21 +296,6 @@ impl Refinement {
         Ok(())
     }
 
-    /// All faces of the refined mesh: quadrilaterals, then triangles, then the others.
-    pub fn faces(&self) -> Vec<Vec<u32>> {
-        let others = match &self.patchwork {
-            Patchwork::Unrefined(connectivity) => Some(connectivity),
-            _ => None,
-        };
-        let others = others.into_iter().flat_map(|connectivity| {
-            let faces = 0..index_of(connectivity.face_count());
-            faces.map(|face| connectivity.vertices_of(face).to_vec())
-        });
-        let quads = self.quads().into_iter().map(Vec::from);
-        let triangles = self.triangles().into_iter().map(Vec::from);
-        quads.chain(triangles).chain(others).collect()
-    }
-
     /// The refined mesh.
     ///
     /// # Errors
@@ -371,18 +307,6 @@ impl Refinement {
     {
         let positions = self.positions(points)?;
         Ok(Mesh::new(positions, self.faces())?)
-    }
-}
-
-/// Writes the pieces of each face, on as many threads as there are.
-fn for_each_face<T: Send>(out: &mut [T], pieces: usize, write: impl Fn(u32, &mut [T]) + Sync) {
-    if rayon::current_num_threads() > 1 {
-        let faces = out.par_chunks_exact_mut(pieces).enumerate();
-        faces.for_each(|(face, out)| write(index_of(face), out));
-        return;
-    }
-    for (face, out) in (0..).zip(out.chunks_exact_mut(pieces)) {
-        write(face, out);
     }
 }
 

@@ -1,6 +1,8 @@
 //! The steps before a mesh is a patchwork: whole steps of the scheme, one or two.
 
-use super::super::{Counts, SubdivisionError, catmull_clark};
+use super::super::doo_sabin::doo_sabin_points;
+use super::super::{Counts, DooSabinWeights, SubdivisionError, catmull_clark, doo_sabin_with};
+use super::doo_sabin::{corner_weight, is_regular};
 use super::{Connectivity, Corners};
 use crate::algebra::VectorSpace;
 use crate::mesh::Mesh;
@@ -9,6 +11,7 @@ use crate::mesh::Mesh;
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Rule {
     CatmullClark(Corners),
+    DooSabin(DooSabinWeights, Corners),
     /// A mesh of triangles is a patchwork at once.
     Loop,
 }
@@ -81,9 +84,9 @@ impl Prelude {
         let [first, rest @ ..] = &self.steps[..] else {
             return Ok(points);
         };
-        *refined = self.rule.step(first, points, cosine)?.positions;
+        *refined = self.rule.step_points(first, points, cosine)?;
         for connectivity in rest {
-            *refined = self.rule.step(connectivity, refined, cosine)?.positions;
+            *refined = self.rule.step_points(connectivity, refined, cosine)?;
         }
         Ok(refined)
     }
@@ -102,6 +105,7 @@ impl Rule {
         for _ in growing {
             let next = match self {
                 Self::CatmullClark(_) => counts.after_catmull_clark(),
+                Self::DooSabin(_, corners) => counts.after_doo_sabin(corners),
                 Self::Loop => counts.after_loop(),
             };
             counts = next.map_err(|error| match error {
@@ -117,18 +121,38 @@ impl Rule {
     fn is_patchwork(self, connectivity: &Connectivity) -> bool {
         match self {
             Self::CatmullClark(_) => is_quads(connectivity),
+            Self::DooSabin(_, corners) => is_regular(connectivity, corners),
             Self::Loop => true,
         }
+    }
+
+    /// The points after a step whose faces are known.
+    fn step_points<P: VectorSpace>(
+        self,
+        connectivity: &Connectivity,
+        points: &[P],
+        cosine: &impl Fn(usize, usize) -> P::Scalar,
+    ) -> Result<Vec<P>, SubdivisionError> {
+        if let Self::DooSabin(weights, corners) = self {
+            let weight = |n, steps| corner_weight(weights, n, steps, cosine);
+            return Ok(doo_sabin_points(connectivity, points, corners, weight));
+        }
+        Ok(self.step(connectivity, points, cosine)?.positions)
     }
 
     fn step<P: VectorSpace>(
         self,
         connectivity: &Connectivity,
         points: &[P],
-        _cosine: impl Fn(usize, usize) -> P::Scalar,
+        cosine: impl Fn(usize, usize) -> P::Scalar,
     ) -> Result<Mesh<P>, SubdivisionError> {
         match self {
             Self::CatmullClark(corners) => catmull_clark(connectivity, points, corners),
+            Self::DooSabin(weights, corners) => {
+                doo_sabin_with(connectivity, points, corners, |n, steps| {
+                    corner_weight(weights, n, steps, &cosine)
+                })
+            }
             Self::Loop => unreachable!("a patchwork needs no steps"),
         }
     }

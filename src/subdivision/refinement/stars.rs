@@ -27,6 +27,11 @@ impl Stars {
         self.ends.len()
     }
 
+    /// How many points each star has.
+    pub(super) fn sizes(&self) -> impl Iterator<Item = usize> {
+        (0..self.count()).map(|star| self.places(star).len())
+    }
+
     pub(super) fn bytes(&self) -> usize {
         size_of::<u32>() * self.indices.capacity() + size_of::<usize>() * self.ends.capacity()
     }
