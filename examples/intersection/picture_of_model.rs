@@ -11,12 +11,6 @@ use glam::DVec3;
 /// The size of the picture in pixels.
 const SIZE: [u32; 2] = [960, 720];
 
-/// The whole vertical angle of the picture, in degrees.
-const FIELD_OF_VIEW: f64 = 30.0;
-
-/// So much of the picture's width and height the model takes up at most.
-const FILLED: f64 = 0.94;
-
 /// Where the picture of a model goes if nobody says: never beside the model, where a file of that name may be its texture.
 pub fn default_path(model: &Path) -> PathBuf {
     let name = model.file_stem().unwrap_or(model.as_os_str());
@@ -69,35 +63,12 @@ pub fn run(model: &Path, picture: &Path) -> Result<(), Box<dyn Error>> {
 
 /// The model from the right above in front, y being up as in most files.
 fn picture_of(mesh: &Mesh<[f64; 3]>) -> Picture {
-    let view = view_of(mesh, DVec3::new(0.55, 0.4, 1.0));
-    Scene::new(view)
-        .surface(mesh, Material::matte(Colour::Sky))
-        .render(SIZE[0], SIZE[1])
-}
-
-/// The view against `towards`, from so far away that all faces of the model fit into the picture.
-// ANCHOR: view_of
-pub fn view_of(mesh: &Mesh<[f64; 3]>, towards: DVec3) -> View {
     let corners = mesh.triangles().flatten();
     let points: Vec<DVec3> = corners
         .map(|vertex| mesh.positions[vertex as usize].into())
         .collect();
-    let start = points.first().copied().unwrap_or_default();
-    let (low, high) = points
-        .iter()
-        .fold((start, start), |(low, high), &p| (low.min(p), high.max(p)));
-    let centre = low * 0.5 + high * 0.5;
-    let back = towards.normalize();
-    let right = DVec3::Y.cross(back).normalize();
-    let up = back.cross(right);
-    let [width, height] = SIZE.map(f64::from);
-    let slope = FILLED * (FIELD_OF_VIEW / 2.0).to_radians().tan();
-    let distance = |point: &DVec3| {
-        let from_centre = *point - centre;
-        let across = from_centre.dot(right).abs() * (height / width);
-        from_centre.dot(back) + across.max(from_centre.dot(up).abs()) / slope
-    };
-    let distance = points.iter().map(distance).fold(0.0, f64::max);
-    View::perspective(centre + back * distance, centre, DVec3::Y, FIELD_OF_VIEW)
+    let view = View::around(&points, DVec3::new(0.55, 0.4, 1.0), SIZE);
+    Scene::new(view)
+        .surface(mesh, Material::matte(Colour::Sky))
+        .render(SIZE[0], SIZE[1])
 }
-// ANCHOR_END: view_of

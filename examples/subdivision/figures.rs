@@ -1,5 +1,7 @@
 //! The figures of the chapter *Subdivision*. Each function makes one, by the library's own schemes.
 
+#[path = "figures/cages.rs"]
+pub mod cages;
 #[path = "figures/curves.rs"]
 mod curves;
 #[path = "figures/limits.rs"]
@@ -8,6 +10,10 @@ mod limits;
 mod masks;
 #[path = "figures/meshes.rs"]
 mod meshes;
+#[path = "figures/pictures.rs"]
+pub mod pictures;
+#[path = "scheme.rs"]
+pub mod scheme;
 #[path = "figures/topology.rs"]
 mod topology;
 
@@ -15,6 +21,10 @@ use facette_figure::FigureMaker;
 
 /// All figures of the chapter, in the order of the text.
 pub const FIGURES: &[FigureMaker] = &[
+    FigureMaker {
+        name: "piggy_bank",
+        make: pictures::piggy_bank_becomes_smooth,
+    },
     FigureMaker {
         name: "corner_cutting",
         make: curves::corner_cutting,
@@ -86,5 +96,17 @@ pub const FIGURES: &[FigureMaker] = &[
     FigureMaker {
         name: "mesh_convergence",
         make: limits::mesh_convergence,
+    },
+    FigureMaker {
+        name: "four_limits",
+        make: pictures::four_limits,
+    },
+    FigureMaker {
+        name: "level_by_level",
+        make: pictures::level_by_level,
+    },
+    FigureMaker {
+        name: "corners",
+        make: pictures::sharp_and_smooth_corners,
     },
 ];

@@ -22,6 +22,12 @@ pub struct View {
     pub lens: Lens,
 }
 
+/// The whole vertical angle of [`View::around`], in degrees: little enough that what is near is not drawn much larger.
+const FIELD_OF_VIEW: f64 = 30.0;
+
+/// So much of the picture's width and height [`View::around`] fills at most.
+const FILLED: f64 = 0.94;
+
 /// What of the scene the picture's height takes in.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Lens {
@@ -58,6 +64,39 @@ impl View {
             up,
             lens: Lens::Orthographic { height },
         }
+    }
+
+    /// The central projection that looks against `towards`, with y up, from as near as lets all these points into the middle of a picture of
+    /// this size, with a little room around them: the way to look at a model of which nothing is known.
+    ///
+    /// # Edge cases
+    /// With no points, or all in one place, there is nothing to see.
+    #[must_use]
+    pub fn around(points: &[DVec3], towards: DVec3, [width, height]: [u32; 2]) -> Self {
+        let back = towards.try_normalize().unwrap_or(DVec3::Z);
+        let right = DVec3::Y.cross(back).try_normalize().unwrap_or(DVec3::X);
+        let up = back.cross(right);
+        let (cos, sin) = cos_sin(FIELD_OF_VIEW / 720.0);
+        let rise = FILLED * (sin / cos);
+        let slopes = [rise * f64::from(width) / f64::from(height), rise];
+        // A point at (x, z) is within the slope s of an eye at (a, c) if x − a and a − x are at most s(c − z).
+        let ends = [right, up].into_iter().zip(slopes).map(|(axis, slope)| {
+            let ends = [axis, -axis].map(|axis| {
+                let reach = |point: &DVec3| point.dot(axis) + slope * point.dot(back);
+                points.iter().map(reach).reduce(f64::max).unwrap_or(0.0)
+            });
+            (
+                axis * (0.5 * ends[0] - 0.5 * ends[1]),
+                (0.5 * ends[0] + 0.5 * ends[1]) / slope,
+            )
+        });
+        let (mut eye, mut distance) = (DVec3::ZERO, f64::NEG_INFINITY);
+        for (aside, needed) in ends {
+            eye += aside;
+            distance = distance.max(needed);
+        }
+        eye += back * distance;
+        Self::perspective(eye, eye - back, up, FIELD_OF_VIEW)
     }
 
     /// Where a point appears in a picture of this size, in pixels from the upper left corner; `None` for a point beside
@@ -171,6 +210,49 @@ mod tests {
         // At 45° the height's half is seen at the distance 2: y = 30 - 30 · cot 45°, three roundings of 30.
         assert!((x - 40.0).abs() <= 1e-13 && y.abs() <= 1e-13, "{x} {y}");
         assert_eq!(view.project(DVec3::new(0.0, 0.0, 3.0), 80, 60), None);
+    }
+
+    #[test]
+    fn a_view_around_points_fills_the_picture_with_them_and_cuts_none_off() {
+        let points: Vec<DVec3> = (0..60)
+            .map(|i| {
+                let (cos, sin) = cos_sin(f64::from(i) / 7.3);
+                DVec3::new(cos, 0.02 * f64::from(i), 3.0 * sin) * 1e4
+            })
+            .collect();
+        for [width, height] in [[400, 300], [200, 500], [640, 120]] {
+            let view = View::around(&points, DVec3::new(0.5, 0.4, 1.0), [width, height]);
+            let [half_width, half_height] = [width, height].map(|size| f64::from(size) / 2.0);
+            let projected = points
+                .iter()
+                .map(|&point| view.project(point, width, height));
+            let places = projected.map(|place| place.expect("before the eye"));
+            let part = |[x, y]: [f64; 2]| {
+                [
+                    (x - half_width) / half_width,
+                    (y - half_height) / half_height,
+                ]
+            };
+            let parts: Vec<[f64; 2]> = places.map(part).collect();
+            let ends = [0, 1].map(|axis| {
+                let along = || parts.iter().map(|part| part[axis]);
+                [
+                    along().fold(f64::MAX, f64::min),
+                    along().fold(f64::MIN, f64::max),
+                ]
+            });
+            // A dozen roundings of numbers up to a few times the points' extent.
+            let bound = 1e-13;
+            let is_filled = |[low, high]: [f64; 2]| {
+                (low + FILLED).abs() <= bound && (high - FILLED).abs() <= bound
+            };
+            let is_inside =
+                |[low, high]: [f64; 2]| -FILLED - bound <= low && high <= FILLED + bound;
+            assert!(
+                ends.into_iter().any(is_filled) && ends.into_iter().all(is_inside),
+                "{ends:?}"
+            );
+        }
     }
 
     #[test]
