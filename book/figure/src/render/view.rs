@@ -90,13 +90,16 @@ impl View {
                 (0.5 * ends[0] + 0.5 * ends[1]) / slope,
             )
         });
-        let (mut eye, mut distance) = (DVec3::ZERO, f64::NEG_INFINITY);
-        for (aside, needed) in ends {
-            eye += aside;
+        let (mut aside, mut distance) = (DVec3::ZERO, f64::NEG_INFINITY);
+        for (offset, needed) in ends {
+            aside += offset;
             distance = distance.max(needed);
         }
-        eye += back * distance;
-        Self::perspective(eye, eye - back, up, FIELD_OF_VIEW)
+        let depths = points.iter().map(|point| point.dot(back));
+        // A target as far away as the points are: one nearby would be lost in the rounding of a distant eye.
+        let depth = depths.reduce(f64::min).unwrap_or(0.0);
+        let [eye, target] = [distance, depth].map(|along| aside + back * along);
+        Self::perspective(eye, target, up, FIELD_OF_VIEW)
     }
 
     /// Where a point appears in a picture of this size, in pixels from the upper left corner; `None` for a point beside
