@@ -131,9 +131,10 @@ impl Cage {
         let Some(last) = lines.pop() else {
             return self.file.clone();
         };
-        match lines.is_empty() {
-            true => format!("{}:{last}", self.file),
-            false => format!("{}:{} and {last}", self.file, lines.join(", ")),
+        if lines.is_empty() {
+            format!("{}:{last}", self.file)
+        } else {
+            format!("{}:{} and {last}", self.file, lines.join(", "))
         }
     }
 }

@@ -3,7 +3,7 @@
 use std::error::Error;
 
 use facette::mesh::{Mesh, write_obj};
-use facette::subdivision::Connectivity;
+use facette::subdivision::{Connectivity, Corners, Counts, Sqrt3Boundary, SubdivisionError};
 use facette_figure::palette::Colour;
 use facette_figure::render::{Material, Picture, Scene, View};
 use glam::DVec3;
@@ -55,8 +55,7 @@ fn refined(request: &Request, cage: &Mesh<DVec3>) -> Result<Mesh<DVec3>, Box<dyn
         ..
     } = *request;
     let connectivity = Connectivity::new(cage)?;
-    let counts = scheme.counts_after(&connectivity, levels, corners);
-    if counts.map_or(u64::MAX, |counts| counts.faces) > MOST_FACES {
+    if face_count(scheme, &connectivity, levels, corners).map_or(true, |faces| faces > MOST_FACES) {
         let too_many = format!("{levels} levels make more than {MOST_FACES} faces: ask for fewer");
         return Err(too_many.into());
     }
@@ -75,6 +74,23 @@ fn refined(request: &Request, cage: &Mesh<DVec3>) -> Result<Mesh<DVec3>, Box<dyn
         return Ok(scheme.on_limit(&fine, corners)?);
     }
     Ok(fine)
+}
+
+/// How many faces `levels` steps make.
+fn face_count(
+    scheme: Scheme,
+    cage: &Connectivity,
+    levels: u32,
+    corners: Corners,
+) -> Result<u64, SubdivisionError> {
+    let step = |counts: Counts, level| match scheme {
+        Scheme::CatmullClark => counts.after_catmull_clark(),
+        Scheme::DooSabin => counts.after_doo_sabin(corners),
+        Scheme::Loop => counts.after_loop(),
+        Scheme::Sqrt3 => counts.after_sqrt3(Sqrt3Boundary::in_step(level)),
+    };
+    let counts = (0..levels).try_fold(Counts::of(cage), step)?;
+    Ok(counts.faces)
 }
 
 /// The name of the object in the file: the cage's, if a file can have it.

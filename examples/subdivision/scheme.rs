@@ -1,11 +1,11 @@
-//! The four schemes under one name: steps, counts, and the mesh of limit points.
+//! The four schemes under one name: their steps, and the mesh of limit points.
 
 use facette::mesh::{Mesh, MeshError};
 use facette::subdivision::limit::{
     Limit, catmull_clark_limits, doo_sabin_limits, loop_limits, sqrt3_limits,
 };
 use facette::subdivision::{
-    Connectivity, Corners, Counts, DooSabinWeights, Sqrt3Boundary, SubdivisionError, catmull_clark,
+    Connectivity, Corners, DooSabinWeights, Sqrt3Boundary, SubdivisionError, catmull_clark,
     doo_sabin, loop_subdivision, sqrt3,
 };
 use glam::DVec3;
@@ -62,21 +62,6 @@ impl Scheme {
         Ok(mesh)
     }
     // ANCHOR_END: refined
-
-    /// The counts of the mesh after `levels` steps, without making it.
-    pub fn counts_after(
-        self,
-        cage: &Connectivity,
-        levels: u32,
-        corners: Corners,
-    ) -> Result<Counts, SubdivisionError> {
-        (0..levels).try_fold(Counts::of(cage), |counts, level| match self {
-            Self::CatmullClark => counts.after_catmull_clark(),
-            Self::DooSabin => counts.after_doo_sabin(corners),
-            Self::Loop => counts.after_loop(),
-            Self::Sqrt3 => counts.after_sqrt3(Sqrt3Boundary::in_step(level)),
-        })
-    }
 
     /// The mesh with its vertices on the limit surface, and the surface's unit normals there.
     ///

@@ -1,15 +1,14 @@
 //! One cage and four schemes, in pictures.
 
 use facette::mesh::Mesh;
-use facette::subdivision::{Connectivity, Corners};
+use facette::subdivision::Corners;
+use facette_figure::Figure;
 use facette_figure::palette::Colour;
-use facette_figure::plot::Plot;
 use facette_figure::render::{Material, Scene, View};
 use facette_figure::svg::{Anchor, Drawing, PAGE_WIDTH, Panel, panels};
-use facette_figure::{Content, Figure};
 use glam::DVec3;
 
-use super::cages::{bars, cage_for, handkerchief, limit, piggy_bank, refined, scene_of, view_of};
+use super::cages::{bars, handkerchief, limit, piggy_bank, refined, scene_of, view_of};
 use super::scheme::Scheme;
 
 /// Half the width of a drawn edge of the piggy bank's cage.
@@ -18,7 +17,7 @@ const EDGE: f64 = 0.011;
 /// A level of the piggy bank with flat faces, and edges that are thinner the more there are.
 pub fn faceted(view: View, mesh: &Mesh<DVec3>, level: u32) -> Scene {
     let edge = EDGE / f64::from(level + 1);
-    scene_of(view, mesh, Colour::Sky).surface(&bars(mesh, edge), Material::matte(Colour::Ink))
+    scene_of(view, mesh, Colour::Sky).surface(bars(mesh, edge), Material::matte(Colour::Ink))
 }
 
 /// The piggy bank's limit surface, smooth.
@@ -119,7 +118,7 @@ pub fn sharp_and_smooth_corners() -> Figure {
     let view = View::around(&cage.positions, DVec3::new(0.35, 1.0, 0.9), SIZE);
     let panel = |scheme: Scheme, corners: Corners, label: &str| {
         let scene = scene_of(view, &limit(scheme, &cage, corners), Colour::Sky);
-        let scene = scene.surface(&bars(&cage, 0.006), Material::matte(Colour::Ink));
+        let scene = scene.surface(bars(&cage, 0.006), Material::matte(Colour::Ink));
         let label = format!("{}, {label} corners", scheme.title());
         Panel::picture(&label, scene.render(SIZE[0], SIZE[1]))
     };
@@ -141,38 +140,12 @@ pub fn sharp_and_smooth_corners() -> Figure {
     )
 }
 
-/// How fast the schemes make faces.
-pub fn faces_against_level() -> Figure {
-    let series = |scheme: Scheme| {
-        let cage = cage_for(scheme, &piggy_bank());
-        let joined = Connectivity::new(&cage).expect("the bank is a manifold");
-        let faces = move |level: u32| {
-            let counts = scheme.counts_after(&joined, level, Corners::Sharp);
-            [f64::from(level), counts.expect("few levels").faces as f64]
-        };
-        (0..=8).map(faces).collect::<Vec<_>>()
-    };
-    let plot = Plot::new("Faces against level", "level", "faces").log_y();
-    let plot = Scheme::ALL.iter().fold(plot, |plot, &scheme| {
-        plot.line(scheme.title(), &series(scheme))
-    });
-    let alternative = "A plot of the number of faces against the level, from 0 to 8, on a logarithmic axis: four straight lines. Those of Catmull-Clark and Doo-Sabin coincide, Loop's is parallel to them and the highest; that of root 3 starts where Loop's does and is flatter.";
-    let name = "faces_against_level";
-    Figure {
-        name,
-        caption: "Faces of the piggy bank against the level. Loop makes four triangles of each, √3 three: after four steps 81 against 256, after eight 6,561 against 65,536. Finer control of the number of triangles is what √3 was made for. Catmull-Clark and Doo-Sabin make \
-                  four faces of each in the long run.".to_owned(),
-        alternative: alternative.to_owned(),
-        content: Content::Svg(plot.to_svg(alternative).expect("a plot of positive numbers")),
-    }
-}
-
 /// A number with its digits in groups of three.
 fn grouped(number: usize) -> String {
     let digits = number.to_string();
     let mut text = String::new();
     for (place, digit) in digits.chars().enumerate() {
-        if place > 0 && (digits.len() - place) % 3 == 0 {
+        if place > 0 && (digits.len() - place).is_multiple_of(3) {
             text.push(',');
         }
         text.push(digit);
