@@ -28,7 +28,7 @@ pub fn smooth(view: View, scheme: Scheme) -> Scene {
 
 /// A cage, two steps, and where they lead.
 pub fn piggy_bank_becomes_smooth() -> Figure {
-    const SIZE: [u32; 2] = [736, 590];
+    const SIZE: [u32; 2] = [620, 496];
     let cage = piggy_bank();
     let view = view_of(&cage, SIZE);
     let panel = |level: u32| {
@@ -52,7 +52,7 @@ pub fn piggy_bank_becomes_smooth() -> Figure {
 
 /// The four limit surfaces of one cage.
 pub fn four_limits() -> Figure {
-    const SIZE: [u32; 2] = [736, 590];
+    const SIZE: [u32; 2] = [620, 496];
     let view = view_of(&piggy_bank(), SIZE);
     let panel = |scheme: Scheme| {
         let picture = smooth(view, scheme).render(SIZE[0], SIZE[1]);
@@ -69,7 +69,7 @@ pub fn four_limits() -> Figure {
 
 /// Levels 0 to 4 and the limit, a column for each scheme.
 pub fn level_by_level() -> Figure {
-    const SIZE: [u32; 2] = [280, 230];
+    const SIZE: [u32; 2] = [252, 206];
     const HEADER: f64 = 30.0;
     let cage = piggy_bank();
     let view = view_of(&cage, SIZE);
@@ -113,7 +113,7 @@ pub fn level_by_level() -> Figure {
 
 /// What becomes of a boundary and its corners.
 pub fn sharp_and_smooth_corners() -> Figure {
-    const SIZE: [u32; 2] = [736, 520];
+    const SIZE: [u32; 2] = [560, 400];
     let cage = handkerchief();
     let view = View::around(&cage.positions, DVec3::new(0.35, 1.0, 0.9), SIZE);
     let panel = |scheme: Scheme, corners: Corners, label: &str| {
