@@ -1,6 +1,6 @@
 //! Loop's scheme on the patches of a mesh of triangles.
 
-use super::box_spline::{on_curve, refine, refined_side, write_row};
+use super::box_spline::{Parts, on_curve, refine, refined_side, write_row};
 use super::loop_star::{Star, ring, star_at};
 use super::patches::{PatchOut, PatchSizes, Patches, Source, Workbench};
 use super::rows::Grid;
@@ -164,13 +164,14 @@ impl<P: VectorSpace> Patches<P> for LoopPatches {
             .first_chunk()
             .expect("groups are whole");
         workbench.prepare(self.levels, 4, refined_side);
-        let Workbench { grids, row, .. } = workbench;
+        let Workbench { grids, window, row } = workbench;
+        let parts = window.parts();
         gather(patches, from.points, &mut grids[0]);
         mirror(patches, &mut grids[0]);
         for level in 1..self.levels as usize {
             let (coarse, fine) = grids.split_at_mut(level);
             let (coarse, fine) = (&coarse[level - 1], &mut fine[0]);
-            refine(coarse, fine);
+            refine(coarse, parts, fine);
             self.mend(patches, level, from.stars, fine);
             refine_boundaries(patches, coarse, fine);
             mirror(patches, fine);
@@ -180,6 +181,7 @@ impl<P: VectorSpace> Patches<P> for LoopPatches {
             sides: self.numbering.edges.sides(first, out.edges),
             edge_size: self.numbering.edges.edge_size(),
             row,
+            parts,
         };
         writer.write_inside(out.inside.as_chunks_mut().0);
         writer.write_corners(out.corners);
@@ -316,15 +318,16 @@ struct Writer<'a, P, const LANES: usize> {
     sides: [[Option<&'a mut [P]>; 3]; LANES],
     /// How many points there are inside an edge.
     edge_size: usize,
-    /// Room for a row.
+    /// Room for a row, and for its parts.
     row: &'a mut [[P; LANES]],
+    parts: &'a mut Parts<P, LANES>,
 }
 
 impl<P: VectorSpace, const LANES: usize> Writer<'_, P, LANES> {
     fn write_inside(&mut self, mut inside: &mut [[P; LANES]]) {
         for row in 1..self.edge_size {
             if let Some(points) = inside.split_off_mut(..self.edge_size - row) {
-                write_row(self.coarse, row + 1, 1, points);
+                write_row(self.coarse, row + 1, 1, self.parts, points);
             }
         }
     }
@@ -332,7 +335,8 @@ impl<P: VectorSpace, const LANES: usize> Writer<'_, P, LANES> {
     /// The fine point in a place of all patches.
     fn at(&mut self, (row, column): Place) -> &[P; LANES] {
         let pair = &mut self.row[..2];
-        write_row(self.coarse, row, column / 2, &mut pair[..=column % 2]);
+        let wanted = &mut pair[..=column % 2];
+        write_row(self.coarse, row, column / 2, self.parts, wanted);
         &pair[column % 2]
     }
 

@@ -136,6 +136,8 @@ impl<P: VectorSpace, const LANES: usize> Grid<P, LANES> {
 #[derive(Clone, Debug)]
 pub(super) struct Window<P, const LANES: usize> {
     rows: [Vec<[P; LANES]>; 3],
+    /// Rows for other purposes.
+    parts: [Vec<[P; LANES]>; 3],
     /// How many rows were made; the newest is in place `(made − 1) mod 3`.
     made: usize,
 }
@@ -145,13 +147,20 @@ impl<P: VectorSpace, const LANES: usize> Window<P, LANES> {
     pub(super) fn new(length: usize) -> Self {
         Self {
             rows: std::array::from_fn(|_| vec![[P::origin(); LANES]; length]),
+            parts: std::array::from_fn(|_| vec![[P::origin(); LANES]; length]),
             made: 0,
         }
     }
 
     /// Bytes that the rows keep.
     pub(super) fn bytes(&self) -> usize {
-        self.rows.iter().map(Vec::capacity).sum::<usize>() * size_of::<[P; LANES]>()
+        let rows = self.rows.iter().chain(&self.parts);
+        rows.map(Vec::capacity).sum::<usize>() * size_of::<[P; LANES]>()
+    }
+
+    /// Rows for other purposes.
+    pub(super) fn parts(&mut self) -> &mut [Vec<[P; LANES]>; 3] {
+        &mut self.parts
     }
 
     /// Makes the next row in the place of the oldest.
