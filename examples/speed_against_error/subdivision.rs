@@ -5,8 +5,11 @@ use crate::harness::Effort;
 
 #[path = "subdivision/curves.rs"]
 mod curves;
+#[path = "subdivision/surfaces.rs"]
+mod surfaces;
 
 /// Hands all comparisons to the visitor.
 pub fn visit(effort: Effort, visitor: &mut Visitor<'_>) {
     curves::visit(effort, visitor);
+    surfaces::visit(effort, visitor);
 }

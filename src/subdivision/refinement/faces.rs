@@ -83,6 +83,11 @@ impl Refinement {
         }
     }
 
+    /// How many faces the refined mesh has, of all kinds.
+    pub fn face_count(&self) -> usize {
+        self.quad_count() + self.triangle_count() + self.polygons().len()
+    }
+
     /// The faces that are neither among the [`quads`](Self::quads) nor among the [`triangles`](Self::triangles). With Doo-Sabin one lies at each
     /// extraordinary vertex and in each face of other than four corners, whatever the number of levels. A mesh that is not refined at all has all
     /// its faces here.
