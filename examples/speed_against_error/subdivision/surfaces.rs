@@ -202,7 +202,8 @@ fn distance(inputs: &'static str, levels: u32, visitor: &mut Visitor<'_>) {
     let finer = Connectivity::new(&finer.expect("a mesh")).expect("a manifold");
     let wide: Vec<[f64; 3]> = cube.positions.iter().map(|p| p.map(f64::from)).collect();
     let one = pool(1);
-    let (mut scratch, mut limit_scratch) = (Scratch::new(), Scratch::new());
+    let mut scratch: Scratch<[f32; 3]> = Scratch::new();
+    let mut limit_scratch = scratch.clone();
     // Double precision is exact enough to measure single precision by.
     let exact: Exact<'_> = lazily(|| {
         let positions = plan.positions(&wide).expect("as many");
@@ -210,8 +211,6 @@ fn distance(inputs: &'static str, levels: u32, visitor: &mut Visitor<'_>) {
         let points = limits.into_iter().map(|limit| limit.position);
         points.map(|point| big_point(coordinates(point))).collect()
     });
-    let one = pool(1);
-    let (mut scratch, mut limit_scratch) = (Scratch::new(), Scratch::new());
     let comparison = Comparison::new(
         "surface: distance to the limit",
         inputs,
