@@ -74,6 +74,17 @@ fn unsound_meshes_are_refused_by_name() {
     );
 }
 
+/// **A corner that stands twice.** A face that visits a vertex twice in a row has only one corner too many. Repair drops that corner and keeps the face; a face that comes back to a vertex later is no polygon, and is left out.
+#[test]
+fn corner_that_stands_twice_is_dropped() {
+    let doubled = mesh(4, &[&[0, 1, 1, 2], &[2, 1, 3, 2], &[0, 1, 0, 3]]);
+    let (mended, repair) = repaired(&doubled).expect("finite points");
+    let faces: Vec<_> = mended.faces().collect();
+    assert_eq!(faces, [&[0, 1, 2], &[2, 1, 3]]);
+    assert_eq!((repair.corners_dropped, repair.faces_dropped), (2, 1));
+    assert_eq!((repair.faces_turned, repair.vertices_added), (0, 0));
+}
+
 /// **Two tetrahedra that share a vertex.** Both are closed, and every edge has two faces; only the walk around the shared vertex tells that it meets but one of them. Repair gives each tetrahedron a vertex of its own.
 #[test]
 fn two_tetrahedra_that_share_a_vertex_are_cut_apart() {

@@ -87,6 +87,42 @@ fn sound_meshes_are_left_alone() {
     });
 }
 
+/// **Turned faces are turned back.** If some faces of a manifold are turned over, repair turns faces until all agree with the first one that they hang together with. It cuts nothing: no vertex is added, and every face is the old one or that turned over.
+///
+/// Course: plan, slide 49, meshes as input of a scheme.
+#[test]
+fn turned_faces_are_turned_back() {
+    let law = law("subdivision::turned_faces_are_turned_back");
+    let turns = || vec(any::<bool>(), 64);
+    law.holds(
+        (topologies(), turns()),
+        (hard_topologies(), turns()),
+        |(topology, turns)| {
+            let faces = topology.faces.iter().zip(turns.iter().cycle());
+            let turned = faces.map(|(face, &is_turned)| {
+                let mut face = face.clone();
+                if is_turned {
+                    face.reverse();
+                }
+                face
+            });
+            let mesh = Mesh::new(numbered(topology.vertex_count), turned).expect("a mesh");
+            let (mended, repair) = repaired(&mesh).expect("finite points");
+            let expected = Repair {
+                faces_turned: repair.faces_turned,
+                ..Repair::default()
+            };
+            expect_equal(&expected, &repair)?;
+            for (old, new) in topology.faces.iter().zip(mended.faces()) {
+                let mut turned = old.clone();
+                turned.reverse();
+                expect_equal(&true, &(old == new || turned == new))?;
+            }
+            expect_equal(&true, &Connectivity::new(&mended).is_ok())
+        },
+    );
+}
+
 /// **Half-edges know their neighbours.** In a manifold the twin of the twin is the half-edge itself, and it runs the other way. Walking round a vertex meets each of its faces once; the valences of all vertices sum to twice the edges, the corners of all faces to twice the edges less the boundary edges. A boundary comes back
 /// to where it began.
 ///

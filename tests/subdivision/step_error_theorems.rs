@@ -63,7 +63,7 @@ fn error_far_away<S: Scalar + Into<f64>>(
     worst
 }
 
-/// **Far away.** A mesh of size 128 whose vertices are $2^{27}$ away from the origin loses at most two units in the last place of $2^{27}$ in a step of any scheme, in `f64`, and likewise in `f32` at $2^{20}$.
+/// **Far away.** A mesh of size 128 whose vertices are $2^{27}$ away from the origin loses at most $\frac{13}{10}$ of a unit in the last place of $2^{27}$ in a step of any scheme, in `f64`, and at most $\frac32$ of one in `f32` at $2^{20}$.
 ///
 /// Every rule is a point $p$ and a sum of weighted differences. Differences of neighbouring vertices are exact; that of rounded face points are wrong by half a unit each. So the worst case is an edge point of Catmull-Clark: the midpoint of two face points, each half a unit wrong, adds half a unit,
 /// the midpoint of the edge half a unit, and their mean halves both and adds half: $\frac12(\frac12+\frac12+\frac12)+\frac12=\frac54$. The small differences themselves are rounded at their own size; at this distance that is less than a hundredth of a unit in `f64`, and a quarter in `f32`.
@@ -78,8 +78,8 @@ fn far_away_steps_lose_few_ulps() {
             let narrow = error_far_away::<f32>(scheme, input, 1 << 20, 2.0_f64.powi(20 - 23));
             let [a, b] = worst.get();
             worst.set([a.max(wide), b.max(narrow)]);
-            expect_at_most("an error, in units in the last place,", 2.0, wide)?;
-            expect_at_most("an error in f32, in units in the last place,", 2.0, narrow)?;
+            expect_at_most("an error, in units in the last place,", 1.3, wide)?;
+            expect_at_most("an error in f32, in units in the last place,", 1.5, narrow)?;
         }
         Ok(())
     };
