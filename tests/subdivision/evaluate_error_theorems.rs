@@ -2,7 +2,7 @@
 
 use std::cell::Cell;
 
-use facette::algebra::{Vector3, VectorSpace, length};
+use facette::algebra::{Real, Vector3, VectorSpace, length};
 use facette::mesh::Mesh;
 use facette::subdivision::Corners;
 use facette::subdivision::evaluate::{CatmullClarkSurface, LoopSurface};
@@ -105,7 +105,9 @@ fn stam_and_adaptive_evaluation_agree_within_their_bound() {
         used[1].within("a distance", bound, a.minus(b).largest_coordinate())
     });
     // Why so little: see above.
-    used.iter().for_each(|used| used.at_least(0.002));
+    for used in &used {
+        used.at_least(0.002);
+    }
 }
 
 /// **The same derivatives, to the last bits at any depth.** After $k$ steps tangents of the two ways differ by at most $(2k+40n)\,\mathbf u$ of their length, down to parameters of $2^{-1074}$.
@@ -140,7 +142,9 @@ fn both_ways_have_the_same_tangents_at_any_depth() {
             .map(|surface| surface.derivatives(0, place).expect("no vertex").first);
         used[1].within("a part of the tangents", bound, part(a, b))
     });
-    used.iter().for_each(|used| used.at_least(0.05));
+    for used in &used {
+        used.at_least(0.05);
+    }
 }
 
 /// **The error against exact numbers.** For control points that are small whole numbers, the adaptive way is within $32\,\mathbf u D$ of the exact point, and Stam's within $(2n+32)\,\mathbf u D$, in double and in single precision, $D$ the largest difference of coordinates.
@@ -184,14 +188,16 @@ fn evaluation_error_stays_below_its_bound() {
             let surface = surface.expect("finite points");
             let both = [surface.clone(), surface.with_eigenbasis()];
             for (surface, bound) in both.into_iter().zip(bounds) {
-                let point = surface.corner_point(0, s as f32, t as f32);
+                let point = surface.corner_point(0, f32::from_f64(s), f32::from_f64(t));
                 let point = point.expect("a half-edge").map(f64::from);
                 let unit = f64::from(f32::EPSILON / 2.0);
                 used[1].within("an error", bound, largest_error(point, &exact, unit))?;
             }
             Ok(())
         });
-    used.iter().for_each(|used| used.at_least(0.01));
+    for used in &used {
+        used.at_least(0.01);
+    }
 }
 
 /// The same number without a limit of size.

@@ -1,5 +1,6 @@
 //! Evaluation where it is easily got wrong.
 
+use facette::algebra::Real;
 use facette::subdivision::evaluate::{CatmullClarkSurface, EvaluationError, LoopSurface};
 use facette::subdivision::{Connectivity, Corners, SubdivisionError};
 
@@ -35,7 +36,7 @@ fn smallest_parameters_do_not_overflow() {
         let topology = quad_fan(n);
         let mut dice = Dice::new(u64::from(n));
         let points: Vec<[f32; 3]> = (0..topology.vertex_count)
-            .map(|_| dice.vector().map(|x| x as f32))
+            .map(|_| dice.vector().map(f32::from_f64))
             .collect();
         let mesh = topology.with_points(points);
         let surface = CatmullClarkSurface::new(&joined(&mesh), &mesh.positions, Corners::Sharp);

@@ -89,7 +89,7 @@ fn plan_of_loop_is_its_steps() {
             let steps = stepped(Scheme::Loop, &cage.mesh, *levels, *corners);
             let planned = planned(&plan, &cage.mesh.positions);
             let faces = 0..u32::try_from(connectivity.face_count()).expect("a small mesh");
-            let seeds = faces.map(|face| [3 * face << (2 * levels); 2]);
+            let seeds = faces.map(|face| [(3 * face) << (2 * levels); 2]);
             expect_same_mesh(&steps, &planned, seeds)
         });
 }
