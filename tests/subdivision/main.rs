@@ -36,6 +36,7 @@ mod nets;
 mod plain_rules;
 mod refinement_doo_sabin_theorems;
 mod refinement_match;
+mod refinement_plan_theorems;
 mod refinement_theorems;
 mod repair_theorems;
 #[path = "../ground_floor/scratch.rs"]

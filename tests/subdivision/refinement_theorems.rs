@@ -33,7 +33,7 @@ fn planned(plan: &Refinement, points: &[[Exact; 3]]) -> Mesh<[Exact; 3]> {
 ///
 /// The first corner of patch $f$ is found without searching: in the steps, face $4^{k-1}h$ lies at the corner $h$ of the mesh, in the plan it is the first of the patch. From there a walk over both meshes at once must meet the same faces.
 ///
-/// Course: D13, slides 72-76, Catmull-Clark: the scheme, level after level.
+/// Course: D22, slides 72-76, Catmull-Clark: the scheme, level after level.
 #[test]
 fn plan_of_catmull_clark_is_its_steps() {
     let theorem = "subdivision::plan_of_catmull_clark_is_its_steps";
@@ -73,7 +73,7 @@ fn catmull_clark_agrees(cage: &Cage<[Exact; 3]>, corners: Corners, levels: u32) 
 ///
 /// In the steps the face $4^kf$ lies at the first corner of face $f$, in the plan it is the first of patch $f$.
 ///
-/// Course: D25, slides 77-78, Loop: the scheme, level after level.
+/// Course: D24, slide 77, Loop: the scheme, level after level.
 #[test]
 fn plan_of_loop_is_its_steps() {
     let theorem = "subdivision::plan_of_loop_is_its_steps";
