@@ -12,6 +12,8 @@ mod masks;
 mod meshes;
 #[path = "figures/pictures.rs"]
 pub mod pictures;
+#[path = "figures/refinement.rs"]
+mod refinement;
 #[path = "scheme.rs"]
 pub mod scheme;
 #[path = "figures/topology.rs"]
@@ -108,5 +110,9 @@ pub const FIGURES: &[FigureMaker] = &[
     FigureMaker {
         name: "corners",
         make: pictures::sharp_and_smooth_corners,
+    },
+    FigureMaker {
+        name: "patch_of_points",
+        make: refinement::patch_of_points,
     },
 ];
