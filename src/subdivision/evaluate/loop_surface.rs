@@ -45,7 +45,7 @@ use crate::surface::normal_of_tangents;
 /// let connectivity = Connectivity::new(&tetrahedron)?;
 /// let surface = LoopSurface::new(&connectivity, &tetrahedron.positions, Corners::Sharp)?;
 /// let vertex = surface.point(0, [1.0, 0.0, 0.0])?;
-/// assert!(vertex.iter().all(|x| (x - 0.8).abs() < 1e-14));
+/// assert!(vertex.iter().all(|x| (x - 0.8_f64).abs() < 1e-14));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
