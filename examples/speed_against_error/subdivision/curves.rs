@@ -19,11 +19,11 @@ struct Scheme {
 const SCHEMES: [Scheme; 2] = [
     Scheme {
         degree: 2,
-        quantity: "curve, Chaikin",
+        quantity: "curve: Chaikin",
     },
     Scheme {
         degree: 3,
-        quantity: "curve, cubic",
+        quantity: "curve: cubic",
     },
 ];
 
