@@ -44,7 +44,7 @@ pub fn piggy_bank_becomes_smooth() -> Figure {
     Figure::drawn(
         "piggy_bank",
         "A *cage* of 114 faces, one and two steps of Catmull-Clark, and the limit surface. The cage has triangles, quadrilaterals and a hexagon; three, four, five or six edges meet in its vertices, and the slot in its back \
-         is a boundary. No net of a spline could have this shape in one piece. After one step all faces are quadrilaterals.",
+         is a boundary. No rectangular net of control points looks like this. After one step all faces are quadrilaterals.",
         "Four pictures of a piggy bank with a slot in its back. The first is made of large flat faces, with triangles on the ears and a hexagon for a snout. In the second and third the faces are smaller and smaller quadrilaterals. The last is perfectly smooth.",
         &panels(2, &[panel(0), panel(1), panel(2), limit]),
     )
