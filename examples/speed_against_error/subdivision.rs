@@ -5,6 +5,8 @@ use crate::harness::Effort;
 
 #[path = "subdivision/curves.rs"]
 mod curves;
+#[path = "subdivision/evaluation.rs"]
+mod evaluation;
 #[path = "subdivision/surfaces.rs"]
 mod surfaces;
 
@@ -12,4 +14,5 @@ mod surfaces;
 pub fn visit(effort: Effort, visitor: &mut Visitor<'_>) {
     curves::visit(effort, visitor);
     surfaces::visit(effort, visitor);
+    evaluation::visit(effort, visitor);
 }

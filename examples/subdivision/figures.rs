@@ -4,6 +4,8 @@
 pub mod cages;
 #[path = "figures/curves.rs"]
 mod curves;
+#[path = "figures/evaluation.rs"]
+mod evaluation;
 #[path = "figures/limits.rs"]
 mod limits;
 #[path = "figures/masks.rs"]
@@ -114,5 +116,17 @@ pub const FIGURES: &[FigureMaker] = &[
     FigureMaker {
         name: "patch_of_points",
         make: refinement::patch_of_points,
+    },
+    FigureMaker {
+        name: "nested_patches",
+        make: evaluation::nested_patches,
+    },
+    FigureMaker {
+        name: "shrinking_modes",
+        make: evaluation::shrinking_modes,
+    },
+    FigureMaker {
+        name: "isoparametric_lines",
+        make: evaluation::isoparametric_lines,
     },
 ];

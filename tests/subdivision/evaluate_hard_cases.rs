@@ -87,6 +87,7 @@ fn parameters_outside_are_moved_inside() {
     let surface = CatmullClarkSurface::new(&joined(&cube), &cube.positions, Corners::Sharp);
     let surface = surface.expect("finite points");
     assert_eq!(surface.point(0, -3.0, 0.25), surface.point(0, 0.0, 0.25));
+    assert_eq!(surface.point(3, 0.25, 1.5), surface.point(3, 0.25, 1.0));
     assert_eq!(
         surface.corner_point(5, 0.5, 7.0),
         surface.corner_point(5, 0.5, 1.0)
