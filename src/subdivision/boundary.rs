@@ -17,6 +17,12 @@ impl Connectivity {
         Some([self.origin(self.previous(last)), self.target(first)])
     }
 
+    /// The other ends of a vertex's edges, anticlockwise; at a boundary vertex from the one after it along the boundary to the one before.
+    pub fn neighbours(&self, vertex: u32) -> impl Iterator<Item = u32> {
+        let last = self.boundary_neighbours(vertex).map(|[before, _]| before);
+        self.around(vertex).map(|h| self.target(h)).chain(last)
+    }
+
     /// Whether a vertex is on the boundary and has at most `faces` faces.
     pub(super) fn is_corner(&self, vertex: u32, faces: usize) -> bool {
         self.is_boundary_vertex(vertex) && self.around(vertex).nth(faces).is_none()

@@ -1,18 +1,17 @@
 //! The limit surface of Catmull-Clark.
 
 use super::adaptive::{Anchored, Patch};
-use super::corner_table::CornerTable;
+use super::corner_table::{CornerTable, Located, limit_jet, move_from_origin};
 use super::eigenbasis::Eigenbasis;
-use super::jet::{Jacobian, pulled_back, unchanged};
+use super::jet::unchanged;
 use super::quad_corner::QuadCorner;
 use super::quad_gather::{refined_patch, regular_patch};
 use super::quadrants::{Quadrants, into_quadrant, out_of_quadrant};
 use super::{Derivatives, EvaluationError, check_points, clamped, quad_modes};
-use crate::algebra::{Real, Vector3, VectorSpace, unit_vector};
+use crate::algebra::{Real, Vector3, VectorSpace};
 use crate::mesh::Mesh;
 use crate::subdivision::limit::catmull_clark_limits;
 use crate::subdivision::{Connectivity, Corners, catmull_clark};
-use crate::surface::normal_of_tangents;
 
 /// The limit surface of a mesh under Catmull-Clark subdivision, ready to be evaluated.
 ///
@@ -66,9 +65,6 @@ enum Face<P> {
     /// A polygon, cut at its corners, and these again.
     Polygon(Vec<[Patch<P, 16>; 4]>),
 }
-
-/// A patch, the parameters there, and their derivatives in the caller's parameters.
-type Located<'a, P, S = <P as VectorSpace>::Scalar> = (&'a Patch<P, 16>, [S; 2], Jacobian<S>);
 
 impl<P: VectorSpace> CatmullClarkSurface<P> {
     /// The surface of this mesh and these control points.
@@ -228,36 +224,27 @@ impl<P: VectorSpace> CatmullClarkSurface<P> {
         self.normal_at(self.in_corner(half_edge, [u, v])?)
     }
 
-    fn jet<const K: usize>(
-        &self,
-        (patch, parameters, jacobian): Located<'_, P>,
-    ) -> Result<[P; K], EvaluationError> {
-        let jet = self.table.jet::<Quadrants, K>(patch, parameters);
-        let jet = jet.ok_or(EvaluationError::NoDerivatives)?;
-        Ok(pulled_back(jet, jacobian))
+    fn jet<const K: usize>(&self, at: Located<'_, P, 16>) -> Result<[P; K], EvaluationError> {
+        self.table.jet::<Quadrants, K>(at)
     }
 
-    fn normal_at(&self, (patch, parameters, jacobian): Located<'_, P>) -> Result<P, EvaluationError>
+    fn normal_at(&self, at: Located<'_, P, 16>) -> Result<P, EvaluationError>
     where
         P: Vector3,
         P::Scalar: Real,
     {
-        let table = &self.table;
-        let jet: Option<[P; 3]> = table.jet_or::<Quadrants, 3>(patch, parameters, limit_jet);
-        let normal = jet.and_then(|jet| {
-            let [_, s_u, s_v] = pulled_back(jet, jacobian);
-            normal_of_tangents(s_u, s_v)
-        });
-        normal
-            .and_then(unit_vector)
-            .ok_or(EvaluationError::NoNormal)
+        self.table.normal::<Quadrants>(at, |corner| {
+            limit_jet(corner.fan(), |connectivity, points| {
+                catmull_clark_limits(connectivity, points, Corners::Smooth)
+            })
+        })
     }
 
     fn in_face(
         &self,
         face: u32,
         parameters: [P::Scalar; 2],
-    ) -> Result<Located<'_, P>, EvaluationError> {
+    ) -> Result<Located<'_, P, 16>, EvaluationError> {
         match self.faces.get(face as usize) {
             None => Err(EvaluationError::NoSuchFace {
                 face,
@@ -276,7 +263,7 @@ impl<P: VectorSpace> CatmullClarkSurface<P> {
         &self,
         half_edge: u32,
         parameters: [P::Scalar; 2],
-    ) -> Result<Located<'_, P>, EvaluationError> {
+    ) -> Result<Located<'_, P, 16>, EvaluationError> {
         let face = self.starts.partition_point(|&start| start <= half_edge);
         let Some(patches) = self.faces.get(face.wrapping_sub(1)) else {
             return Err(EvaluationError::NoSuchHalfEdge {
@@ -300,7 +287,7 @@ impl<P: VectorSpace> CatmullClarkSurface<P> {
 fn in_quadrant<P: VectorSpace>(
     children: &[Patch<P, 16>; 4],
     parameters: [P::Scalar; 2],
-) -> Located<'_, P> {
+) -> Located<'_, P, 16> {
     let (child, inner, jacobian) = into_quadrant(parameters);
     (&children[child], inner, jacobian)
 }
@@ -342,30 +329,10 @@ impl<P: VectorSpace> Levels<P> {
         found: &mut Vec<Anchored<P, QuadCorner<P>>>,
     ) -> [Patch<P, 16>; 4] {
         let (mesh, connectivity) = &self.meshes[level];
-        [0, 1, 2, 3].map(|k| {
-            let place = found.len();
-            let mut patch = refined_patch(connectivity, &mesh.positions, first + k, corners, found);
-            if let Patch::Regular(patch) = &mut patch {
-                patch.origin = self.origin.plus(patch.origin);
-            }
-            for corner in &mut found[place..] {
-                corner.origin = self.origin.plus(corner.origin);
-            }
-            patch
-        })
+        let place = found.len();
+        let mut patches = [0, 1, 2, 3]
+            .map(|k| refined_patch(connectivity, &mesh.positions, first + k, corners, found));
+        move_from_origin(self.origin, &mut patches, &mut found[place..]);
+        patches
     }
-}
-
-/// The limits at the vertex of a corner, as a jet in directions of no particular length.
-fn limit_jet<P: VectorSpace>(corner: &QuadCorner<P>) -> Option<[P; 3]>
-where
-    P::Scalar: Real,
-{
-    let (points, faces) = corner.fan();
-    let fan = Mesh::new(points, faces).ok()?;
-    let connectivity = Connectivity::new(&fan).ok()?;
-    let limits = catmull_clark_limits(&connectivity, &fan.positions, Corners::Smooth).ok()?;
-    let limit = limits.first()?;
-    let [along, across] = limit.tangents?;
-    Some([limit.position, along, across])
 }

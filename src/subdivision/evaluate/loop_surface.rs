@@ -3,19 +3,18 @@
 use num_traits::Zero;
 
 use super::adaptive::{Anchored, Cut, Patch};
-use super::corner_table::CornerTable;
+use super::corner_table::{CornerTable, Located, limit_jet, move_from_origin};
 use super::eigenbasis::Eigenbasis;
-use super::jet::{Jacobian, pulled_back, unchanged};
+use super::jet::{Jacobian, unchanged};
 use super::triangle_corner::TriangleCorner;
 use super::triangle_gather::{refined_patch, regular_patch};
 use super::{Derivatives, EvaluationError, box_spline, check_points, clamped, triangle_modes};
-use crate::algebra::{Real, Scalar, Vector3, VectorSpace, unit_vector};
+use crate::algebra::{Real, Scalar, Vector3, VectorSpace};
 use crate::mesh::Mesh;
 use crate::subdivision::connectivity::index_of;
 use crate::subdivision::limit::loop_limits;
 use crate::subdivision::mask::{loop_vertex_weight, turn_cosine};
 use crate::subdivision::{Connectivity, Corners, loop_subdivision_with};
-use crate::surface::normal_of_tangents;
 
 /// The limit surface of a mesh of triangles under Loop subdivision, ready to be evaluated.
 ///
@@ -60,9 +59,6 @@ enum Face<P> {
     /// Three corners and the middle.
     Cut([Patch<P, 15>; 4]),
 }
-
-/// A patch, the parameters there, and their derivatives in the caller's parameters.
-type Located<'a, P, S = <P as VectorSpace>::Scalar> = (&'a Patch<P, 15>, [S; 2], Jacobian<S>);
 
 impl<P: VectorSpace> LoopSurface<P> {
     /// The surface of this mesh and these control points.
@@ -180,32 +176,23 @@ impl<P: VectorSpace> LoopSurface<P> {
         P: Vector3,
         P::Scalar: Real,
     {
-        let (patch, parameters, jacobian) = self.locate(face, barycentric)?;
-        let table = &self.table;
-        let jet: Option<[P; 3]> = table.jet_or::<Parts, 3>(patch, parameters, limit_jet);
-        let normal = jet.and_then(|jet| {
-            let [_, s_u, s_v] = pulled_back(jet, jacobian);
-            normal_of_tangents(s_u, s_v)
-        });
-        normal
-            .and_then(unit_vector)
-            .ok_or(EvaluationError::NoNormal)
+        let at = self.locate(face, barycentric)?;
+        self.table.normal::<Parts>(at, |corner| {
+            limit_jet(corner.fan(), |connectivity, points| {
+                loop_limits(connectivity, points, Corners::Smooth)
+            })
+        })
     }
 
-    fn jet<const K: usize>(
-        &self,
-        (patch, parameters, jacobian): Located<'_, P>,
-    ) -> Result<[P; K], EvaluationError> {
-        let jet = self.table.jet::<Parts, K>(patch, parameters);
-        let jet = jet.ok_or(EvaluationError::NoDerivatives)?;
-        Ok(pulled_back(jet, jacobian))
+    fn jet<const K: usize>(&self, at: Located<'_, P, 15>) -> Result<[P; K], EvaluationError> {
+        self.table.jet::<Parts, K>(at)
     }
 
     fn locate(
         &self,
         face: u32,
         barycentric: [P::Scalar; 3],
-    ) -> Result<Located<'_, P>, EvaluationError> {
+    ) -> Result<Located<'_, P, 15>, EvaluationError> {
         let Some(found) = self.faces.get(face as usize) else {
             return Err(EvaluationError::NoSuchFace {
                 face,
@@ -315,28 +302,7 @@ impl<P: VectorSpace> Refined<P> {
                 refined_patch(joined, points, face, corners, vertex_weight, found)
             }
         });
-        for patch in &mut patches {
-            if let Patch::Regular(patch) = patch {
-                patch.origin = self.origin.plus(patch.origin);
-            }
-        }
-        for corner in &mut found[place..] {
-            corner.origin = self.origin.plus(corner.origin);
-        }
+        move_from_origin(self.origin, &mut patches, &mut found[place..]);
         patches
     }
-}
-
-/// The limits at the vertex of a corner, as a jet in directions of no particular length.
-fn limit_jet<P: VectorSpace>(corner: &TriangleCorner<P>) -> Option<[P; 3]>
-where
-    P::Scalar: Real,
-{
-    let (points, faces) = corner.fan();
-    let fan = Mesh::new(points, faces).ok()?;
-    let connectivity = Connectivity::new(&fan).ok()?;
-    let limits = loop_limits(&connectivity, &fan.positions, Corners::Smooth).ok()?;
-    let limit = limits.first()?;
-    let [along, across] = limit.tangents?;
-    Some([limit.position, along, across])
 }

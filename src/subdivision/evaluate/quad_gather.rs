@@ -104,16 +104,12 @@ fn corner_of<P: VectorSpace>(
     let around: Vec<u32> = connectivity.around(vertex).collect();
     let is_closed = !connectivity.is_boundary_vertex(vertex);
     let target = |h| point(connectivity.target(h));
-    let mut edges: Vec<P> = around.iter().map(|&h| target(h)).collect();
-    if let (false, Some(&last)) = (is_closed, around.last()) {
-        edges.push(point(connectivity.origin(connectivity.previous(last))));
-    }
     let faces = around.iter().map(|&h| target(connectivity.next(h)));
     let local = QuadCorner {
         is_closed,
         sector: around.iter().position(|&h| h == first).unwrap_or(0),
         centre: point(vertex),
-        edges,
+        edges: connectivity.neighbours(vertex).map(point).collect(),
         faces: faces.collect(),
         outer: outer_points(connectivity, first, point)
             .expect("a step puts the edge points and the face point of a face inside"),

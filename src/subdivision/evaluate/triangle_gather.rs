@@ -105,19 +105,12 @@ fn corner_of<P: VectorSpace>(
     let point = |vertex: u32| points[vertex as usize].minus(origin);
     let around: Vec<u32> = connectivity.around(vertex).collect();
     let is_closed = !connectivity.is_boundary_vertex(vertex);
-    let mut ring: Vec<P> = around
-        .iter()
-        .map(|&h| point(connectivity.target(h)))
-        .collect();
-    if let (false, Some(&last)) = (is_closed, around.last()) {
-        ring.push(point(connectivity.origin(connectivity.previous(last))));
-    }
     let local = TriangleCorner {
         is_closed,
         vertex_weight: vertex_weight(around.len()),
         sector: around.iter().position(|&h| h == first).unwrap_or(0),
         centre: point(vertex),
-        ring,
+        ring: connectivity.neighbours(vertex).map(point).collect(),
         outer: outer_points(connectivity, first, point)
             .expect("a step puts the triangle between the edge points inside"),
     };

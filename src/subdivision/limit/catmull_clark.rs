@@ -11,11 +11,12 @@
 use num_traits::{One, Zero};
 
 use super::eigenvalues::catmull_clark_ring_eigenvalue;
-use super::ring::{Place, Ring, count, sum, weighted_sum};
+use super::ring::{Place, Ring, sum, weighted_sum};
 use super::turn::Spokes;
 use super::{Limit, turn_point};
 use crate::algebra::{Real, Scalar, VectorSpace};
 use crate::subdivision::connectivity::index_of;
+use crate::subdivision::mask::count;
 use crate::subdivision::{Connectivity, Corners, SubdivisionError};
 
 /// Where the vertices lie on the limit surface of Catmull-Clark. The weights are rational: the answer is exact over a field.
@@ -105,21 +106,11 @@ pub fn catmull_clark_limits_with<P: VectorSpace>(
 ) -> Result<Vec<Limit<P>>, SubdivisionError> {
     connectivity.must_have_points(points.len())?;
     let mut spokes = Spokes::new(circle);
-    let vertices = 0..index_of(connectivity.vertex_count());
-    Ok(vertices
-        .map(|vertex| {
-            let ring = Ring::new(connectivity, points, vertex, corners);
-            let tangents = match (ring.place, ring.face_count()) {
-                (Place::Isolated, _) | (Place::Interior, ..3) => None,
-                (_, 1) => Some(ring.tangents_of_one_face()),
-                _ => Some(tangents(&ring, spokes.of(ring.parts_of_turn()), &root)),
-            };
-            Limit {
-                position: position(&ring),
-                tangents,
-            }
-        })
-        .collect())
+    let limits = Ring::of_each(connectivity, points, corners, |ring| Limit {
+        position: position(ring),
+        tangents: ring.tangents(|| tangents(ring, spokes.of(ring.parts_of_turn()), &root)),
+    });
+    Ok(limits)
 }
 
 // ANCHOR: position

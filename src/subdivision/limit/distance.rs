@@ -19,9 +19,9 @@
 
 use num_traits::Zero;
 
-use super::ring::count;
 use crate::algebra::{Real, Scalar, VectorSpace, larger};
 use crate::subdivision::connectivity::index_of;
+use crate::subdivision::mask::count;
 use crate::subdivision::mask::{loop_vertex_weight, turn_cosine};
 use crate::subdivision::{Connectivity, Corners, SubdivisionError};
 

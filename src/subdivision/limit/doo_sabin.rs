@@ -5,11 +5,12 @@
 
 use num_traits::One;
 
-use super::ring::{count, sum, weighted_sum};
+use super::ring::{sum, weighted_sum};
 use super::turn::Spokes;
 use super::{Limit, turn_point};
 use crate::algebra::{Real, Scalar, VectorSpace};
 use crate::subdivision::connectivity::index_of;
+use crate::subdivision::mask::count;
 use crate::subdivision::{Connectivity, SubdivisionError};
 
 /// Position and tangents of the limit surface of Doo-Sabin in the middle of every face.

@@ -103,7 +103,7 @@ pub(super) fn catmull_clark_ring_eigenvalue<S: Scalar>(cosine: S, root: impl Fn(
 ///
 /// Each within 24u, relatively, for n >= 3; the smaller is exactly 0 for n = 3.
 pub fn catmull_clark_vertex_eigenvalues<S: Real>(n: usize) -> [S; 2] {
-    let n = super::ring::count::<S>(n);
+    let n = crate::subdivision::mask::count::<S>(n);
     let [three, five, seven, eight, thirty, forty_nine] = [3, 5, 7, 8, 30, 49].map(S::from_i32);
     let root = (five * n * n - thirty * n + forty_nine).sqrt();
     let larger = (three * n - seven + root) / (eight * n);

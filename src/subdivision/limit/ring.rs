@@ -3,6 +3,8 @@
 use num_traits::One;
 
 use crate::algebra::{Scalar, VectorSpace};
+use crate::subdivision::connectivity::index_of;
+use crate::subdivision::mask::count;
 use crate::subdivision::{Connectivity, Corners};
 
 /// How a vertex lies in its surface.
@@ -36,22 +38,14 @@ impl<P: VectorSpace> Ring<P> {
     pub fn new(connectivity: &Connectivity, points: &[P], vertex: u32, corners: Corners) -> Self {
         let centre = points[vertex as usize];
         let offset = |vertex: u32| points[vertex as usize].minus(centre);
-        let (mut neighbours, mut centroids) = (Vec::new(), Vec::new());
-        let mut last = None;
-        for half_edge in connectivity.around(vertex) {
-            neighbours.push(offset(connectivity.target(half_edge)));
+        let centroid = |half_edge: u32| {
             let face = connectivity.vertices_of(connectivity.face_of(half_edge));
-            let sum = face.iter().map(|&vertex| offset(vertex));
-            let sum = sum.fold(P::origin(), P::plus);
-            centroids.push(sum.times(P::Scalar::one() / count(face.len())));
-            last = Some(half_edge);
-        }
+            let sum = sum(face.iter().map(|&vertex| offset(vertex)));
+            sum.times(P::Scalar::one() / count(face.len()))
+        };
+        let neighbours = connectivity.neighbours(vertex).map(offset).collect();
+        let centroids: Vec<P> = connectivity.around(vertex).map(centroid).collect();
         let is_boundary = connectivity.is_boundary_vertex(vertex);
-        if let Some(half_edge) = last.filter(|_| is_boundary) {
-            neighbours.push(offset(
-                connectivity.origin(connectivity.previous(half_edge)),
-            ));
-        }
         let place = match (centroids.len(), is_boundary, corners) {
             (0, ..) => Place::Isolated,
             (_, false, _) => Place::Interior,
@@ -63,6 +57,28 @@ impl<P: VectorSpace> Ring<P> {
             centre,
             neighbours,
             centroids,
+        }
+    }
+
+    /// What `of` makes of the ring of every vertex.
+    pub fn of_each<T>(
+        connectivity: &Connectivity,
+        points: &[P],
+        corners: Corners,
+        mut of: impl FnMut(&Self) -> T,
+    ) -> Vec<T> {
+        let vertices = 0..index_of(connectivity.vertex_count());
+        vertices
+            .map(|vertex| of(&Self::new(connectivity, points, vertex, corners)))
+            .collect()
+    }
+
+    /// The tangents: those of the inside's modes, `by_modes`, where at least two faces are around. `None` for a vertex that has none.
+    pub fn tangents(&self, by_modes: impl FnOnce() -> [P; 2]) -> Option<[P; 2]> {
+        match (self.place, self.face_count()) {
+            (Place::Isolated, _) | (Place::Interior, ..3) => None,
+            (_, 1) => Some(self.tangents_of_one_face()),
+            _ => Some(by_modes()),
         }
     }
 
@@ -104,7 +120,7 @@ impl<P: VectorSpace> Ring<P> {
 
     /// The tangents where no mode of the inside is asked: the sides of a kept corner; and at a rounded one the boundary's tangent and its
     /// second difference, which span the osculating plane.
-    pub fn tangents_of_one_face(&self) -> [P; 2] {
+    fn tangents_of_one_face(&self) -> [P; 2] {
         let [first, last] = self.ends();
         match self.place {
             Place::Corner => [first, last],
@@ -133,9 +149,4 @@ pub(super) fn weighted_sum<P: VectorSpace>(
         .into_iter()
         .zip(points)
         .map(|(weight, point)| point.times(weight)))
-}
-
-/// A number of faces or edges as a scalar.
-pub(super) fn count<S: Scalar>(n: usize) -> S {
-    S::from_i32(i32::try_from(n).unwrap_or(i32::MAX))
 }

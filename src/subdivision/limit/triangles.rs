@@ -8,11 +8,11 @@
 
 use num_traits::{One, Zero};
 
-use super::ring::{Place, Ring, count, weighted_sum};
+use super::ring::{Place, Ring, weighted_sum};
 use super::turn::Spokes;
 use super::{Limit, turn_point};
 use crate::algebra::{Real, Scalar, VectorSpace};
-use crate::subdivision::connectivity::index_of;
+use crate::subdivision::mask::count;
 use crate::subdivision::mask::{loop_vertex_weight, sqrt3_neighbours_weight, turn_cosine};
 use crate::subdivision::{Connectivity, Corners, SubdivisionError};
 
@@ -173,13 +173,9 @@ where
 {
     connectivity.must_be_triangles()?;
     connectivity.must_have_points(points.len())?;
-    let vertices = 0..index_of(connectivity.vertex_count());
-    Ok(vertices
-        .map(|vertex| {
-            let ring = Ring::new(connectivity, points, vertex, corners);
-            position(&ring, || share(turn_cosine(1, ring.face_count())))
-        })
-        .collect())
+    Ok(Ring::of_each(connectivity, points, corners, |ring| {
+        position(ring, || share(turn_cosine(1, ring.face_count())))
+    }))
 }
 
 fn limits<P: VectorSpace>(
@@ -193,22 +189,10 @@ fn limits<P: VectorSpace>(
     connectivity.must_be_triangles()?;
     connectivity.must_have_points(points.len())?;
     let mut spokes = Spokes::new(circle);
-    let vertices = 0..index_of(connectivity.vertex_count());
-    Ok(vertices
-        .map(|vertex| {
-            let ring = Ring::new(connectivity, points, vertex, corners);
-            let tangents = match (ring.place, ring.face_count()) {
-                (Place::Isolated, _) | (Place::Interior, ..3) => None,
-                (_, 1) => Some(ring.tangents_of_one_face()),
-                _ => {
-                    let spokes = spokes.of(ring.parts_of_turn());
-                    Some(tangents(&ring, spokes, &end_weight))
-                }
-            };
-            let position = position(&ring, || share(spokes.of(ring.face_count())[1][0]));
-            Limit { position, tangents }
-        })
-        .collect())
+    Ok(Ring::of_each(connectivity, points, corners, |ring| Limit {
+        position: position(ring, || share(spokes.of(ring.face_count())[1][0])),
+        tangents: ring.tangents(|| tangents(ring, spokes.of(ring.parts_of_turn()), &end_weight)),
+    }))
 }
 
 /// The limit position; `share` is asked in the interior only.

@@ -1,17 +1,15 @@
 //! Catmull-Clark on the patches of a mesh of quadrilaterals.
 
 use super::cubic::{Boundaries, refine, refine_rows, refined_side};
-use super::cubic_star::{Star, ring, star_at};
+use super::cubic_star;
 use super::patches::{PatchOut, PatchSizes, Patches, Source, Workbench};
 use super::quad_writer::Writer;
 use super::quads::QuadNumbering;
 use super::rows::Grid;
-use super::stars::Stars;
+use super::stars::{NONE, Place, StarCorners};
+use super::vertex_star::VertexStars;
 use super::{Connectivity, Corners, index_of};
 use crate::algebra::VectorSpace;
-
-/// What stands for "no star" and "no vertex".
-const NONE: u32 = u32::MAX;
 
 /// Where a patch lies: what depends on connectivity alone.
 #[derive(Clone, Copy, Debug)]
@@ -20,8 +18,7 @@ struct Patch {
     stencil: [[u32; 4]; 4],
     /// Which sides are boundaries.
     is_boundary: [bool; 4],
-    /// For each corner that no regular mask refines: its star, and which of the star's faces the patch is.
-    stars: [(u32, u32); 4],
+    stars: StarCorners<4>,
 }
 
 /// The plan: patches and stars.
@@ -30,38 +27,26 @@ pub(super) struct CubicPatches {
     pub(super) numbering: QuadNumbering,
     levels: u32,
     patches: Vec<Patch>,
-    stars: Stars,
-    star_kinds: Vec<Star>,
+    stars: VertexStars,
 }
 
 impl CubicPatches {
     /// The plan for `levels` levels on a mesh of quadrilaterals.
     pub(super) fn new(connectivity: Connectivity, levels: u32, corners: Corners) -> Self {
-        let vertices = 0..index_of(connectivity.vertex_count());
-        let (mut stars, mut star_kinds) = (Stars::default(), Vec::new());
-        let mut star_of = vec![NONE; connectivity.vertex_count()];
-        for vertex in vertices {
-            if let Some(star) = star_at(&connectivity, vertex, corners) {
-                star_of[vertex as usize] = stars.push(ring(&connectivity, vertex));
-                star_kinds.push(star);
-            }
-        }
         let faces = 0..index_of(connectivity.face_count());
         let mut patches: Vec<Patch> = faces.map(|face| patch_of(&connectivity, face)).collect();
-        for star in &star_kinds {
-            let star_number = star_of[star.vertex as usize];
-            for (place, h) in (0..).zip(connectivity.around(star.vertex)) {
-                let face = connectivity.face_of(h);
-                let corner = h - connectivity.half_edges_of(face).start;
-                patches[face as usize].stars[corner as usize] = (star_number, place);
-            }
-        }
+        let stars = VertexStars::new(
+            &connectivity,
+            corners,
+            cubic_star::is_regular,
+            |vertex| cubic_star::opposite(&connectivity, vertex),
+            patches.iter_mut().map(|patch| &mut patch.stars),
+        );
         Self {
             numbering: QuadNumbering::new(connectivity, 1 << levels),
             levels,
             patches,
             stars,
-            star_kinds,
         }
     }
 
@@ -71,17 +56,14 @@ impl CubicPatches {
     }
 
     pub(super) fn bytes(&self) -> usize {
-        self.numbering.bytes()
-            + self.patches.capacity() * size_of::<Patch>()
-            + self.star_kinds.capacity() * size_of::<Star>()
-            + self.stars.bytes()
+        self.numbering.bytes() + self.patches.capacity() * size_of::<Patch>() + self.stars.bytes()
     }
 
     /// The stars' points on all levels.
     pub(super) fn refine_stars<P: VectorSpace>(&self, points: &[P], stored: &mut Vec<P>) {
         self.stars
-            .refine(self.levels, points, stored, |star, old, new| {
-                self.star_kinds[star].refine(old, new);
+            .refine(self.levels, points, stored, |_, star, old, new| {
+                cubic_star::refine(star, old, new);
             });
     }
 
@@ -93,13 +75,9 @@ impl CubicPatches {
         corners: &[P],
         out: &mut [P],
     ) {
-        for (vertex, (point, out)) in (0..).zip(points.iter().zip(&mut *out)) {
-            let outgoing = self.numbering.connectivity.outgoing(vertex);
-            *out = outgoing.map_or(*point, |h| corners[h as usize]);
-        }
-        for (number, star) in (0..).zip(&self.star_kinds) {
-            out[star.vertex as usize] = self.stars.points(stored, self.levels, number)[0];
-        }
+        let stored = (self.levels, stored);
+        self.stars
+            .write_vertices(&self.numbering.connectivity, points, stored, corners, out);
     }
 }
 
@@ -140,12 +118,15 @@ impl<P: VectorSpace> Patches<P> for CubicPatches {
         });
         workbench.prepare(self.levels, 4, refined_side);
         let Workbench { grids, window, row } = workbench;
-        gather(patches, from.points, &mut grids[0]);
+        grids[0].gather(patches.iter().map(|patch| &patch.stencil), from.points);
         mirror(&boundaries, &mut grids[0]);
         for level in 1..self.levels as usize {
             let (coarse, fine) = grids.split_at_mut(level);
             refine(&coarse[level - 1], &boundaries, window, &mut fine[0]);
-            self.mend(patches, level, from.stars, &mut fine[0]);
+            let stars = patches.iter().map(|patch| &patch.stars);
+            let on_level = (level, from.stars);
+            self.stars
+                .mend(stars, corner_places, on_level, &mut fine[0]);
             mirror(&boundaries, &mut fine[0]);
         }
         let mut writer = Writer {
@@ -163,36 +144,8 @@ impl<P: VectorSpace> Patches<P> for CubicPatches {
     // ANCHOR_END: patch
 }
 
-impl CubicPatches {
-    /// Puts the stars' points into the corners of the grids.
-    fn mend<P: VectorSpace, const LANES: usize>(
-        &self,
-        patches: &[Patch; LANES],
-        level: usize,
-        stored: &[P],
-        grid: &mut Grid<P, LANES>,
-    ) {
-        for (lane, patch) in patches.iter().enumerate() {
-            for (corner, &(star, place)) in patch.stars.iter().enumerate() {
-                if star != NONE {
-                    let points = self.stars.points(stored, index_of(level), star);
-                    let kind = self.star_kinds[star as usize];
-                    let places = corner_places(corner, grid.side());
-                    for ((row, column), point) in
-                        places.into_iter().zip(kind.in_ring(points, place as usize))
-                    {
-                        if let Some(point) = point {
-                            grid.at_mut(row, column)[lane] = point;
-                        }
-                    }
-                }
-            }
-        }
-    }
-}
-
 /// Where a grid keeps a corner, its neighbour across the side that begins there, and its neighbour across the side that ends there.
-fn corner_places(corner: usize, side: usize) -> [(usize, usize); 3] {
+fn corner_places(corner: usize, side: usize) -> [Place; 3] {
     let (near, far) = (1, side - 2);
     match corner {
         0 => [(near, near), (0, near), (near, 0)],
@@ -212,7 +165,7 @@ fn patch_of(connectivity: &Connectivity, face: u32) -> Patch {
     for (corner, h) in connectivity.half_edges_of(face).enumerate() {
         let [at, begins, ends] = corner_places(corner, 4);
         let diagonal = (begins.0 + ends.0 - at.0, begins.1 + ends.1 - at.1);
-        let mut put = |(row, column): (usize, usize), vertex| patch.stencil[row][column] = vertex;
+        let mut put = |(row, column): Place, vertex| patch.stencil[row][column] = vertex;
         put(at, connectivity.origin(h));
         let twin = connectivity.twin(h);
         let before = connectivity.twin(connectivity.previous(h));
@@ -237,23 +190,6 @@ fn patch_of(connectivity: &Connectivity, face: u32) -> Patch {
         patch.is_boundary[corner] = twin.is_none();
     }
     patch
-}
-
-/// Level 0 of the patches: the points in and around each.
-fn gather<P: VectorSpace, const LANES: usize>(
-    patches: &[Patch; LANES],
-    points: &[P],
-    grid: &mut Grid<P, LANES>,
-) {
-    for (lane, patch) in patches.iter().enumerate() {
-        for (row, vertices) in patch.stencil.iter().enumerate() {
-            for (column, &vertex) in vertices.iter().enumerate() {
-                // Where there is none, the mirror image or nothing will use the place.
-                let point = points.get(vertex as usize);
-                grid.at_mut(row, column)[lane] = point.copied().unwrap_or_else(P::origin);
-            }
-        }
-    }
 }
 
 /// Beyond a boundary lies the mirror image of what is inside: columns first, so that a corner is mirrored twice.

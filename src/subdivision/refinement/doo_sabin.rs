@@ -9,12 +9,9 @@ use super::blocks::{BlockNumbering, places};
 use super::patches::{PatchOut, PatchSizes, Patches, Source, Workbench};
 use super::prelude::{Prelude, Rule};
 use super::rows::Grid;
-use super::stars::Stars;
+use super::stars::{NONE, Place, StarCorners, Stars, mend};
 use super::{Connectivity, Corners, Patchwork, Refinement, index_of};
 use crate::algebra::{Scalar, VectorSpace};
-
-/// What stands for "no star".
-const NONE: u32 = u32::MAX;
 
 impl Refinement {
     /// The plan for `levels` levels of Doo-Sabin.
@@ -76,8 +73,8 @@ impl Refinement {
 struct Block {
     /// The vertex and the ring around it, row-major.
     stencil: [[u32; 3]; 3],
-    /// For each corner that lies in a face of other than four corners: the face's star, and which of its corners the block is.
-    stars: [(u32, u32); 4],
+    /// The stars are the faces of other than four corners.
+    stars: StarCorners<4>,
 }
 
 /// The plan: blocks, and a star for each face of other than four corners.
@@ -181,22 +178,13 @@ impl BiquadraticBlocks {
         stored: &[P],
         grid: &mut Grid<P, LANES>,
     ) {
-        for (lane, block) in blocks.iter().enumerate() {
-            for (corner, &(star, place)) in block.stars.iter().enumerate() {
-                if star != NONE {
-                    let (place, points) = (
-                        place as usize,
-                        self.stars.points(stored, index_of(level), star),
-                    );
-                    let n = points.len();
-                    let neighbours = [place, (place + 1) % n, (place + n - 1) % n];
-                    let at = corner_places(corner, grid.side());
-                    for ((row, column), neighbour) in at.into_iter().zip(neighbours) {
-                        grid.at_mut(row, column)[lane] = points[neighbour];
-                    }
-                }
-            }
-        }
+        let points = |star, place| {
+            let points: &[P] = self.stars.points(stored, index_of(level), star);
+            let n = points.len();
+            [place, (place + 1) % n, (place + n - 1) % n].map(|i| Some(points[i]))
+        };
+        let stars = blocks.iter().map(|block| &block.stars);
+        mend(stars, corner_places, points, grid);
     }
 }
 
@@ -244,7 +232,7 @@ impl<P: VectorSpace> Patches<P> for BiquadraticBlocks {
             .expect("groups are whole");
         workbench.prepare(self.levels, 3, refined_side);
         let Workbench { grids, window, .. } = workbench;
-        gather(blocks, from.points, &mut grids[0]);
+        grids[0].gather(blocks.iter().map(|block| &block.stencil), from.points);
         for level in 1..self.levels as usize {
             let (coarse, fine) = grids.split_at_mut(level);
             refine(&coarse[level - 1], window, &mut fine[0]);
@@ -277,7 +265,7 @@ impl<P: VectorSpace> Patches<P> for BiquadraticBlocks {
 
 /// Where a grid keeps a corner, and its neighbours in the ring along the face that the corner lies in: the next one in the face, and the one
 /// before.
-fn corner_places(corner: usize, side: usize) -> [(usize, usize); 3] {
+fn corner_places(corner: usize, side: usize) -> [Place; 3] {
     let (near, far) = (1, side - 2);
     match corner {
         0 => [(far, far), (far, far + 1), (far + 1, far)],
@@ -318,18 +306,3 @@ fn block_at(connectivity: &Connectivity, vertex: u32) -> Block {
     }
 }
 // ANCHOR_END: stencil
-
-/// Level 0 of the blocks.
-fn gather<P: VectorSpace, const LANES: usize>(
-    blocks: &[Block; LANES],
-    points: &[P],
-    grid: &mut Grid<P, LANES>,
-) {
-    for (lane, block) in blocks.iter().enumerate() {
-        for (row, vertices) in block.stencil.iter().enumerate() {
-            for (column, &vertex) in vertices.iter().enumerate() {
-                grid.at_mut(row, column)[lane] = points[vertex as usize];
-            }
-        }
-    }
-}

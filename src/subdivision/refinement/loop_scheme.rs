@@ -1,19 +1,14 @@
 //! Loop's scheme on the patches of a mesh of triangles.
 
 use super::box_spline::{Parts, on_curve, refine, refined_side, write_row};
-use super::loop_star::{Star, ring, star_at};
+use super::loop_star;
 use super::patches::{PatchOut, PatchSizes, Patches, Source, Workbench};
 use super::rows::Grid;
-use super::stars::Stars;
+use super::stars::{NONE, Place, StarCorners};
 use super::triangles::TriangleNumbering;
+use super::vertex_star::VertexStars;
 use super::{Connectivity, Corners, index_of};
 use crate::algebra::VectorSpace;
-
-/// What stands for "no star" and "no vertex".
-const NONE: u32 = u32::MAX;
-
-/// A place in a grid: row and column, ring included.
-type Place = (usize, usize);
 
 /// Where a patch lies: what depends on connectivity alone.
 #[derive(Clone, Copy, Debug)]
@@ -22,8 +17,7 @@ struct Patch {
     stencil: [[u32; 4]; 4],
     /// Which sides are boundaries.
     is_boundary: [bool; 3],
-    /// For each corner that no regular mask refines: its star, and which of the star's faces the patch is.
-    stars: [(u32, u32); 3],
+    stars: StarCorners<3>,
 }
 
 /// The plan: patches and stars.
@@ -32,8 +26,7 @@ pub(super) struct LoopPatches {
     pub(super) numbering: TriangleNumbering,
     levels: u32,
     patches: Vec<Patch>,
-    stars: Stars,
-    star_kinds: Vec<Star>,
+    stars: VertexStars,
 }
 
 impl LoopPatches {
@@ -41,25 +34,18 @@ impl LoopPatches {
     pub(super) fn new(connectivity: Connectivity, levels: u32, corners: Corners) -> Self {
         let faces = 0..index_of(connectivity.face_count());
         let mut patches: Vec<Patch> = faces.map(|face| patch_of(&connectivity, face)).collect();
-        let (mut stars, mut star_kinds) = (Stars::default(), Vec::new());
-        for vertex in 0..index_of(connectivity.vertex_count()) {
-            let Some(star) = star_at(&connectivity, vertex, corners) else {
-                continue;
-            };
-            let number = stars.push(ring(&connectivity, vertex));
-            star_kinds.push(star);
-            for (place, h) in (0..).zip(connectivity.around(vertex)) {
-                let face = connectivity.face_of(h);
-                let corner = h - connectivity.half_edges_of(face).start;
-                patches[face as usize].stars[corner as usize] = (number, place);
-            }
-        }
+        let stars = VertexStars::new(
+            &connectivity,
+            corners,
+            loop_star::is_regular,
+            |_| std::iter::empty(),
+            patches.iter_mut().map(|patch| &mut patch.stars),
+        );
         Self {
             numbering: TriangleNumbering::new(connectivity, 1 << levels),
             levels,
             patches,
             stars,
-            star_kinds,
         }
     }
 
@@ -71,7 +57,6 @@ impl LoopPatches {
     pub(super) fn bytes(&self) -> usize {
         self.numbering.edges.bytes()
             + self.patches.capacity() * size_of::<Patch>()
-            + self.star_kinds.capacity() * size_of::<Star>()
             + self.stars.bytes()
     }
 
@@ -82,14 +67,10 @@ impl LoopPatches {
         stored: &mut Vec<P>,
         alpha: impl Fn(usize) -> P::Scalar,
     ) {
-        let alphas: Vec<_> = self
-            .star_kinds
-            .iter()
-            .map(|star| alpha(star.edges()))
-            .collect();
+        let alphas: Vec<_> = self.stars.valences().map(alpha).collect();
         self.stars
-            .refine(self.levels, points, stored, |star, old, new| {
-                self.star_kinds[star].refine(alphas[star], old, new);
+            .refine(self.levels, points, stored, |number, star, old, new| {
+                loop_star::refine(star, alphas[number], old, new);
             });
     }
 
@@ -101,38 +82,14 @@ impl LoopPatches {
         corners: &[P],
         out: &mut [P],
     ) {
-        for (vertex, (point, out)) in (0..).zip(points.iter().zip(&mut *out)) {
-            let outgoing = self.numbering.edges.connectivity.outgoing(vertex);
-            *out = outgoing.map_or(*point, |h| corners[h as usize]);
-        }
-        for (number, star) in (0..).zip(&self.star_kinds) {
-            out[star.vertex as usize] = self.stars.points(stored, self.levels, number)[0];
-        }
-    }
-
-    /// Puts the stars' points into the corners of the grids.
-    fn mend<P: VectorSpace, const LANES: usize>(
-        &self,
-        patches: &[Patch; LANES],
-        level: usize,
-        stored: &[P],
-        grid: &mut Grid<P, LANES>,
-    ) {
-        for (lane, patch) in patches.iter().enumerate() {
-            for (corner, &(star, place)) in patch.stars.iter().enumerate() {
-                if star == NONE {
-                    continue;
-                }
-                let points = self.stars.points(stored, index_of(level), star);
-                let mended = self.star_kinds[star as usize].in_ring(points, place as usize);
-                let [at, begins, ends, ..] = corner_places(corner, grid.side());
-                for ((row, column), point) in [at, begins, ends].into_iter().zip(mended) {
-                    if let Some(point) = point {
-                        grid.at_mut(row, column)[lane] = point;
-                    }
-                }
-            }
-        }
+        let stored = (self.levels, stored);
+        self.stars.write_vertices(
+            &self.numbering.edges.connectivity,
+            points,
+            stored,
+            corners,
+            out,
+        );
     }
 }
 
@@ -166,13 +123,15 @@ impl<P: VectorSpace> Patches<P> for LoopPatches {
         workbench.prepare(self.levels, 4, refined_side);
         let Workbench { grids, window, row } = workbench;
         let parts = window.parts();
-        gather(patches, from.points, &mut grids[0]);
+        grids[0].gather(patches.iter().map(|patch| &patch.stencil), from.points);
         mirror(patches, &mut grids[0]);
         for level in 1..self.levels as usize {
             let (coarse, fine) = grids.split_at_mut(level);
             let (coarse, fine) = (&coarse[level - 1], &mut fine[0]);
             refine(coarse, parts, fine);
-            self.mend(patches, level, from.stars, fine);
+            let stars = patches.iter().map(|patch| &patch.stars);
+            let on_level = (level, from.stars);
+            self.stars.mend(stars, first_places, on_level, fine);
             refine_boundaries(patches, coarse, fine);
             mirror(patches, fine);
         }
@@ -201,6 +160,12 @@ fn corner_places(corner: usize, side: usize) -> [Place; 5] {
         1 => [(1, m + 1), (2, m + 1), (0, m + 1), (0, m + 2), (1, m + 2)],
         _ => [(m + 1, 1), (m + 1, 0), (m + 1, 2), (m + 2, 1), (m + 2, 0)],
     }
+}
+
+/// The first three of the [`corner_places`]: those that a star gives.
+fn first_places(corner: usize, side: usize) -> [Place; 3] {
+    let [at, begins, ends, ..] = corner_places(corner, side);
+    [at, begins, ends]
 }
 
 /// The vertices in and around a face.
@@ -232,22 +197,6 @@ fn patch_of(connectivity: &Connectivity, face: u32) -> Patch {
         put(places[4], further(4));
     }
     patch
-}
-
-/// Level 0 of the patches: the points in and around each.
-fn gather<P: VectorSpace, const LANES: usize>(
-    patches: &[Patch; LANES],
-    points: &[P],
-    grid: &mut Grid<P, LANES>,
-) {
-    for (lane, patch) in patches.iter().enumerate() {
-        for (row, vertices) in patch.stencil.iter().enumerate() {
-            for (column, &vertex) in vertices.iter().enumerate() {
-                let point = points.get(vertex as usize);
-                grid.at_mut(row, column)[lane] = point.copied().unwrap_or_else(P::origin);
-            }
-        }
-    }
 }
 
 /// The place of the point `t` pieces from the start of a side, in a grid of m pieces a side.

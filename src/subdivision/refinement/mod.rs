@@ -45,6 +45,7 @@ mod quads;
 mod rows;
 mod stars;
 mod triangles;
+mod vertex_star;
 
 pub use patches::Scratch;
 

@@ -123,6 +123,23 @@ impl<P: VectorSpace, const LANES: usize> Grid<P, LANES> {
         &mut self.points[row * self.side + column]
     }
 
+    /// Fills the corner of the grid with the points of a stencil for each lane. Where a stencil names no vertex, a later step fills in or
+    /// nothing uses the place.
+    pub(super) fn gather<'a, const SIDE: usize>(
+        &mut self,
+        stencils: impl Iterator<Item = &'a [[u32; SIDE]; SIDE]>,
+        points: &[P],
+    ) {
+        for (lane, stencil) in stencils.enumerate() {
+            for (row, vertices) in stencil.iter().enumerate() {
+                for (column, &vertex) in vertices.iter().enumerate() {
+                    let point = points.get(vertex as usize).copied();
+                    self.at_mut(row, column)[lane] = point.unwrap_or_else(P::origin);
+                }
+            }
+        }
+    }
+
     pub(super) fn row(&self, row: usize) -> &[[P; LANES]] {
         &self.points[row * self.side..][..self.side]
     }

@@ -1,6 +1,39 @@
 //! What a patch cannot see: the rings around the extraordinary vertices or faces, refined on their own.
 
+use super::rows::Grid;
 use crate::algebra::VectorSpace;
+
+/// What stands for "no star" and "no vertex".
+pub(super) const NONE: u32 = u32::MAX;
+
+/// A place in a grid: row and column, ring included.
+pub(super) type Place = (usize, usize);
+
+/// For each corner of a patch that no regular mask refines: its star, and which of the star's faces the patch is (in a star that is a face:
+/// which of its corners). `NONE` for the other corners.
+pub(super) type StarCorners<const CORNERS: usize> = [(u32, u32); CORNERS];
+
+/// Puts the points of stars into the corners of the patches' grids: `places(corner, side)` says where, `points(star, place)` which.
+pub(super) fn mend<'a, P: VectorSpace, const LANES: usize, const CORNERS: usize>(
+    patches: impl Iterator<Item = &'a StarCorners<CORNERS>>,
+    places: impl Fn(usize, usize) -> [Place; 3],
+    points: impl Fn(u32, usize) -> [Option<P>; 3],
+    grid: &mut Grid<P, LANES>,
+) {
+    for (lane, corners) in patches.enumerate() {
+        for (corner, &(star, place)) in corners.iter().enumerate() {
+            if star == NONE {
+                continue;
+            }
+            let places = places(corner, grid.side());
+            for ((row, column), point) in places.into_iter().zip(points(star, place as usize)) {
+                if let Some(point) = point {
+                    grid.at_mut(row, column)[lane] = point;
+                }
+            }
+        }
+    }
+}
 
 /// Where the points of the stars are: those of one level after the other, star by star.
 ///
