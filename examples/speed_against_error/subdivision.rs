@@ -7,6 +7,8 @@ use crate::harness::Effort;
 mod curves;
 #[path = "subdivision/evaluation.rs"]
 mod evaluation;
+#[path = "../subdivision/solids.rs"]
+mod solids;
 #[path = "subdivision/surfaces.rs"]
 mod surfaces;
 

@@ -18,6 +18,8 @@ pub mod pictures;
 mod refinement;
 #[path = "scheme.rs"]
 pub mod scheme;
+#[path = "solids.rs"]
+mod solids;
 #[path = "figures/topology.rs"]
 mod topology;
 

@@ -176,8 +176,8 @@ fn origin_on_the_surface() {
         Some((2.0 - f64::EPSILON / 2.0, Side::Back))
     );
     assert_eq!(t(below, leaving), Some((f64::EPSILON / 2.0, Side::Back)));
-    let (half_chord, side) = t(below, tangent).expect("it is inside");
-    assert!(relative_error(half_chord, f64::EPSILON.sqrt()) < 1e-8 && side == Side::Back);
+    // Half the chord is √(1 − (1 − ε/2)²) = √ε (1 − ε/8 − …), which rounds to √ε.
+    assert_eq!(t(below, tangent), Some((f64::EPSILON.sqrt(), Side::Back)));
     // Obliquely from one ulp outside: −b − √Δ is a multiple of 2⁻⁵³, and the truth, 2.2e-16 / 0.6, is not.
     let (p, oblique) = ([above, 0.0, 0.0], [-0.6, 0.8, 0.0]);
     let truth = f64::EPSILON / 0.6;
@@ -280,7 +280,11 @@ fn way_through_a_huge_sphere_is_longer_than_any_number() {
     assert!((3e38_f32 + 2.9e38).is_infinite());
     let hit = huge.intersect(&ray).expect("there is no way out");
     assert!((hit.t - 5.9).abs() <= hit.t_error, "{hit:?}");
-    assert!(hit.t_error < 1e-5 && hit.side == Side::Back, "{hit:?}");
+    // The bound is that of the same scene in handy numbers; the size costs at most a factor of two, by units that are powers of two.
+    let handy = Sphere::new([0.0_f32; 3], 3.0).expect("a positive radius");
+    let alike = handy.intersect(&Ray::new([0.0, 0.0, -2.9], [0.0, 0.0, 1.0]));
+    let largest = 2.0 * alike.expect("from inside").t_error;
+    assert!(hit.t_error <= largest && hit.side == Side::Back, "{hit:?}");
     let tiny = Sphere::new([0.0_f32; 3], 3e-38).expect("a positive radius");
     let slow = Ray::new([0.0, 0.0, -2.9e-38], [0.0, 0.0, 1e-38]);
     let hit = tiny.intersect(&slow).expect("there is no way out");

@@ -232,9 +232,12 @@ fn tangents_have_the_largest_eigenvalue_after_one() {
         0.75,
     ];
     for (at_infinity, at_10000) in limits.into_iter().zip(all_of(10_000)) {
-        assert!((at_infinity - at_10000.tangent).abs() < 1e-6);
+        // A cosine is at most half the square of its angle below 1, and each eigenvalue changes by at most a quarter of that.
+        let nearly = (std::f64::consts::TAU / 1e4).powi(2) / 8.0;
+        assert!((at_infinity - at_10000.tangent).abs() <= nearly);
     }
     let [cc, _, _, _, averaging] = all_of(100);
+    // To half a unit of the fifth digit.
     assert!((cc.tangent - 0.654_22).abs() < 5e-6 && (cc.next - 0.653_35).abs() < 5e-6);
     assert!(averaging.next / averaging.tangent > 0.99);
 }

@@ -56,6 +56,17 @@ pub fn neighbourhood<P: VectorSpace>(mesh: &Mesh<P>, vertex: u32, rings: usize) 
     Mesh::new(positions, kept).expect("a part of a mesh")
 }
 
+/// The square root that regular quadrilaterals need.
+pub fn root_of_nine(square: Exact) -> Exact {
+    assert_eq!(square, fraction(9, 1), "the regular ring's only root");
+    fraction(3, 1)
+}
+
+/// The point after k of n parts of a turn, sines with a common factor, where [`rational_circle`] has it.
+pub fn circle(k: usize, n: usize) -> [Exact; 2] {
+    rational_circle(k, n).expect("a rational angle")
+}
+
 /// The point of the circle after k of n parts of a turn where the cosine is rational, with the sine in units of the first one; `None` for other
 /// n. Angles that a closed ring of rational cosines has: n = 1, 2, 3, 4, 6.
 pub fn rational_circle(k: usize, n: usize) -> Option<[Exact; 2]> {

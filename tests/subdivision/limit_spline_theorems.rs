@@ -8,23 +8,13 @@ use proptest::prelude::*;
 
 use crate::common::exact::{Exact, fraction};
 use crate::common::law::{Law, expect_equal};
-use crate::limit_inputs::{joined, limits_with, rational_circle};
+use crate::limit_inputs::{circle, joined, limits_with, rational_circle, root_of_nine};
 use crate::meshes::{grid, triangle_grid};
 use crate::steps::Scheme;
 use crate::suspects;
 
 type Point = [Exact; 3];
 type Pair = [Point; 2];
-
-/// The square root that regular quadrilaterals need.
-fn root_of_nine(square: Exact) -> Exact {
-    assert_eq!(square, fraction(9, 1), "the regular ring's only root");
-    fraction(3, 1)
-}
-
-fn circle(k: usize, n: usize) -> [Exact; 2] {
-    rational_circle(k, n).expect("a rational angle")
-}
 
 /// The surface over the 4 × 4 points of a grid of quadrilaterals.
 fn spline(degree: usize, count: usize, points: Vec<Point>) -> BsplineSurface<Point> {

@@ -14,7 +14,8 @@ use crate::common::dice::Dice;
 use crate::common::exact::{Exact, fraction};
 use crate::common::law::{Law, expect_equal};
 use crate::limit_inputs::{
-    VALENCES, half_fan, joined, limits, limits_with, rational_circle, refined, rounds,
+    VALENCES, circle, half_fan, joined, limits, limits_with, rational_circle, refined,
+    root_of_nine, rounds,
 };
 use crate::meshes::{Topology, double_fan, polygon, quad_fan};
 use crate::steps::Scheme;
@@ -22,16 +23,6 @@ use crate::suspects;
 
 type Point = [Exact; 3];
 type Pair = [Point; 2];
-
-/// The square root that regular quadrilaterals need.
-fn root_of_nine(square: Exact) -> Exact {
-    assert_eq!(square, fraction(9, 1), "the regular ring's only root");
-    fraction(3, 1)
-}
-
-fn circle(k: usize, n: usize) -> [Exact; 2] {
-    rational_circle(k, n).expect("a rational angle")
-}
 
 fn steps_with_rational_cosines(scheme: Scheme, mesh: &Mesh<Point>) -> Mesh<Point> {
     (0..rounds(scheme)).fold(mesh.clone(), |mesh, step| {

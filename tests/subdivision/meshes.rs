@@ -153,18 +153,16 @@ pub fn octahedron_faces() -> Topology {
     Topology::new("octahedron".into(), faces)
 }
 
+/// The quadrilaterals between columns and rows of vertices, which `vertex` numbers.
+fn cells(columns: u32, rows: u32, vertex: impl Fn(u32, u32) -> u32) -> Vec<[u32; 4]> {
+    let places = (0..rows).flat_map(|j| (0..columns).map(move |i| (i, j)));
+    let quad = |(i, j)| [[i, j], [i + 1, j], [i + 1, j + 1], [i, j + 1]].map(|[i, j]| vertex(i, j));
+    places.map(quad).collect()
+}
+
 /// Quadrilaterals in columns and rows, with a boundary. Vertex i + (columns + 1)j is in column i, row j.
 pub fn grid(columns: u32, rows: u32) -> Topology {
-    let vertex = |i, j| i + (columns + 1) * j;
-    let quad = |i, j| {
-        [
-            vertex(i, j),
-            vertex(i + 1, j),
-            vertex(i + 1, j + 1),
-            vertex(i, j + 1),
-        ]
-    };
-    let faces = (0..rows).flat_map(|j| (0..columns).map(move |i| quad(i, j)));
+    let faces = cells(columns, rows, |i, j| i + (columns + 1) * j);
     Topology::new(format!("grid of {columns} x {rows}"), faces)
 }
 
@@ -188,16 +186,7 @@ fn cut(quads: &Topology, name: String) -> Topology {
 
 /// Quadrilaterals round a torus, closed, valence 4; at least 3 x 3. Vertex i + columns·j.
 pub fn torus(columns: u32, rows: u32) -> Topology {
-    let vertex = |i, j| i % columns + columns * (j % rows);
-    let quad = |i, j| {
-        [
-            vertex(i, j),
-            vertex(i + 1, j),
-            vertex(i + 1, j + 1),
-            vertex(i, j + 1),
-        ]
-    };
-    let faces = (0..rows).flat_map(|j| (0..columns).map(move |i| quad(i, j)));
+    let faces = cells(columns, rows, |i, j| i % columns + columns * (j % rows));
     Topology::new(format!("torus of {columns} x {rows}"), faces)
 }
 

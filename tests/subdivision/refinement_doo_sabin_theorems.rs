@@ -10,7 +10,7 @@ use crate::meshes::{
     Cage, Topology, cube_faces, float_meshes, grid, hard_meshes, hard_topologies, meshes,
     topologies, torus, triangle_torus,
 };
-use crate::refinement_match::expect_same_mesh;
+use crate::refinement_match::{Threads, expect_same_mesh};
 use crate::steps::{Scheme, corner_rules, flat, rational_cosine};
 use crate::suspects;
 
@@ -177,11 +177,7 @@ fn counted(topology: &Topology, corners: Corners, levels: u32) -> Verdict {
 #[test]
 fn plan_of_doo_sabin_has_the_same_bits_on_any_number_of_threads() {
     let law = law("subdivision::plan_of_doo_sabin_has_the_same_bits_on_any_number_of_threads");
-    let pools = [1, 2, 3].map(|threads| {
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
-        pool.build().expect("threads")
-    });
-    let used = std::cell::RefCell::new(Scratch::new());
+    let threads = Threads::new();
     let choices = || (corner_rules(), weights(), 1..5_u32);
     let inputs = (float_meshes(topologies()), choices());
     let hard = (float_meshes(hard_topologies()), choices());
@@ -189,17 +185,7 @@ fn plan_of_doo_sabin_has_the_same_bits_on_any_number_of_threads() {
         let (joined, points) = (cage.connectivity(), &cage.mesh.positions);
         let plan =
             Refinement::doo_sabin(&joined, *levels, *weights, *corners).expect("a small mesh");
-        let results = pools.each_ref().map(|pool| {
-            let mut positions = vec![[f64::NAN; 3]; plan.vertex_count()];
-            let mut scratch = used.take();
-            let outcome =
-                pool.install(|| plan.positions_into(points, &mut scratch, &mut positions));
-            used.replace(scratch);
-            (outcome.map(|()| positions), pool.install(|| plan.quads()))
-        });
-        expect_equal(&results[0], &results[1])?;
-        expect_equal(&results[0], &results[2])?;
-        expect_equal(&results[0].0, &plan.positions(points))
+        threads.expect_same_bits(&plan, points)
     });
 }
 

@@ -1,10 +1,44 @@
 //! Whether two meshes are the same up to the numbers of their vertices and faces.
 
+use std::cell::RefCell;
+
 use facette::algebra::VectorSpace;
 use facette::mesh::Mesh;
-use facette::subdivision::Connectivity;
+use facette::subdivision::{Connectivity, Refinement, Scratch};
+use rayon::{ThreadPool, ThreadPoolBuilder};
 
-use crate::common::law::{Broken, Verdict};
+use crate::common::law::{Broken, Verdict, expect_equal};
+
+/// One, two and three threads, and memory that other meshes have used.
+pub struct Threads {
+    pools: [ThreadPool; 3],
+    used: RefCell<Scratch<[f64; 3]>>,
+}
+
+impl Threads {
+    pub fn new() -> Self {
+        let pool = |threads| ThreadPoolBuilder::new().num_threads(threads).build();
+        Self {
+            pools: [1, 2, 3].map(|threads| pool(threads).expect("threads")),
+            used: RefCell::new(Scratch::new()),
+        }
+    }
+
+    /// Expects a plan to make the same positions and faces on any number of threads, in used memory and in fresh.
+    pub fn expect_same_bits(&self, plan: &Refinement, points: &[[f64; 3]]) -> Verdict {
+        let results = self.pools.each_ref().map(|pool| {
+            let mut positions = vec![[f64::NAN; 3]; plan.vertex_count()];
+            let mut scratch = self.used.take();
+            let outcome =
+                pool.install(|| plan.positions_into(points, &mut scratch, &mut positions));
+            self.used.replace(scratch);
+            (outcome.map(|()| positions), pool.install(|| plan.faces()))
+        });
+        expect_equal(&results[0], &results[1])?;
+        expect_equal(&results[0], &results[2])?;
+        expect_equal(&results[0].0, &plan.positions(points))
+    }
+}
 
 fn broken(expected: &str, got: String) -> Verdict {
     Err(Broken {

@@ -10,6 +10,7 @@ use crate::meshes::{
     Cage, Topology, cube_faces, float_meshes, grid, hard_topologies, hard_triangle_topologies,
     octahedron_faces, topologies, torus, triangle_topologies, triangle_torus,
 };
+use crate::refinement_match::Threads;
 use crate::steps::corner_rules;
 use crate::suspects;
 use facette::algebra::Scalar;
@@ -48,26 +49,12 @@ fn holds_for_both(theorem: &'static str, check: impl Fn(Kind, &Input) -> Verdict
 /// Course: D22, slides 72-76, Catmull-Clark: the scheme, level after level.
 #[test]
 fn plan_has_the_same_bits_on_any_number_of_threads() {
-    let pools = [1, 2, 3].map(|threads| {
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
-        pool.build().expect("threads")
-    });
-    let used = std::cell::RefCell::new(Scratch::new());
+    let threads = Threads::new();
     let theorem = "subdivision::plan_has_the_same_bits_on_any_number_of_threads";
     holds_for_both(theorem, |kind, (cage, (corners, levels))| {
         let plan = kind.plan(&cage.connectivity(), *levels, *corners);
         let points = &cage.mesh.positions;
-        let results = pools.each_ref().map(|pool| {
-            let mut positions = vec![[f64::NAN; 3]; plan.vertex_count()];
-            let mut scratch = used.take();
-            let outcome =
-                pool.install(|| plan.positions_into(points, &mut scratch, &mut positions));
-            used.replace(scratch);
-            (outcome.map(|()| positions), pool.install(|| plan.faces()))
-        });
-        expect_equal(&results[0], &results[1])?;
-        expect_equal(&results[0], &results[2])?;
-        expect_equal(&results[0].0, &plan.positions(points))
+        threads.expect_same_bits(&plan, points)
     });
 }
 

@@ -92,6 +92,25 @@ impl Figure {
         }
     }
 
+    /// The figure of a plot, with its words.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`plot::Plot::to_svg`].
+    pub fn plotted(
+        name: &'static str,
+        caption: &str,
+        alternative: &str,
+        plot: &plot::Plot,
+    ) -> Result<Self, plot::PlotError> {
+        Ok(Self {
+            name,
+            caption: caption.to_owned(),
+            alternative: alternative.to_owned(),
+            content: Content::Svg(plot.to_svg(alternative)?),
+        })
+    }
+
     /// The name of the figure's file: its name with the extension of its content.
     #[must_use]
     pub fn file_name(&self) -> String {

@@ -5,7 +5,7 @@ use facette::camera::{
     Camera, CameraFrame, ImageRectangle, ImageSize, Pixel, look_at_axes, perspective_ray,
 };
 use facette_figure::plot::Plot;
-use facette_figure::{Content, Figure, speed};
+use facette_figure::{Figure, speed};
 
 #[allow(
     clippy::duplicate_mod,
@@ -21,13 +21,7 @@ fn exact(point: [f32; 3]) -> [f64; 3] {
 }
 
 fn plotted(name: &'static str, caption: &str, alternative: &str, plot: &Plot) -> Figure {
-    let svg = plot.to_svg(alternative).expect("the plot has points");
-    Figure {
-        name,
-        caption: caption.to_owned(),
-        alternative: alternative.to_owned(),
-        content: Content::Svg(svg),
-    }
+    Figure::plotted(name, caption, alternative, plot).expect("the plot has points")
 }
 
 /// The largest scalar product of two different axes.

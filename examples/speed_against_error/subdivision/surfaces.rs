@@ -11,6 +11,7 @@ use facette::subdivision::{
     loop_subdivision,
 };
 
+use super::solids::{cube, octahedron};
 use crate::Visitor;
 use crate::common::oracle::big_point;
 use crate::float_inputs::coordinates;
@@ -75,38 +76,6 @@ impl Faces {
         self.triangles.as_flattened_mut().fill(black_box(1));
         black_box((&mut self.quads, &mut self.triangles));
     }
-}
-
-fn cube() -> Mesh<[f32; 3]> {
-    let corner = |k: u8| [0, 1, 2].map(|axis| f32::from(k >> axis & 1));
-    let faces = [
-        [0, 2, 3, 1],
-        [4, 5, 7, 6],
-        [0, 1, 5, 4],
-        [2, 6, 7, 3],
-        [0, 4, 6, 2],
-        [1, 3, 7, 5],
-    ];
-    Mesh::new((0..8).map(corner).collect(), faces).expect("a cube")
-}
-
-fn octahedron() -> Mesh<[f32; 3]> {
-    let tip = |k: usize| {
-        let mut point = [0.0; 3];
-        point[k / 2] = if k.is_multiple_of(2) { 1.0 } else { -1.0 };
-        point
-    };
-    let faces = [
-        [0, 2, 4],
-        [2, 1, 4],
-        [1, 3, 4],
-        [3, 0, 4],
-        [2, 0, 5],
-        [1, 2, 5],
-        [3, 1, 5],
-        [0, 3, 5],
-    ];
-    Mesh::new((0..6).map(tip).collect(), faces).expect("an octahedron")
 }
 
 fn steps(scheme: Scheme, mesh: Mesh<[f32; 3]>, levels: u32) -> Mesh<[f32; 3]> {

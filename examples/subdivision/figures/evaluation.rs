@@ -4,10 +4,10 @@ use facette::mesh::Mesh;
 use facette::subdivision::evaluate::CatmullClarkSurface;
 use facette::subdivision::limit::turn_point;
 use facette::subdivision::{Connectivity, Corners};
+use facette_figure::Figure;
 use facette_figure::palette::Colour;
 use facette_figure::plot::Plot;
 use facette_figure::svg::{Drawing, Panel, Stroke, panels};
-use facette_figure::{Content, Figure};
 
 type Place = [f64; 2];
 
@@ -176,10 +176,5 @@ pub fn shrinking_modes() -> Figure {
         if is_face { 2.0 } else { 1.0 }
     });
     let alternative = "A plot with two logarithmic axes. Three lines fall towards small parameters with constant slopes: the plane's slowest, those of the saddle and the cup about twice as steep.";
-    Figure {
-        name: "shrinking_modes",
-        caption: "Control points in a wave around a vertex of valence 5, and the height of the surface on the way to it. Each halving of the parameter multiplies the height by an eigenvalue: in this picture of two logarithmic axes, lines, with slopes $\\log_{1/2}\\lambda$. A surface is a sum of such waves, and Stam's way adds them up.".to_owned(),
-        alternative: alternative.to_owned(),
-        content: Content::Svg(plot.to_svg(alternative).expect("the plot has points")),
-    }
+    Figure::plotted("shrinking_modes", "Control points in a wave around a vertex of valence 5, and the height of the surface on the way to it. Each halving of the parameter multiplies the height by an eigenvalue: in this picture of two logarithmic axes, lines, with slopes $\\log_{1/2}\\lambda$. A surface is a sum of such waves, and Stam's way adds them up.", alternative, &plot).expect("the plot has points")
 }

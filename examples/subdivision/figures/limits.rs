@@ -12,20 +12,16 @@ use facette::subdivision::limit::{
 use facette::subdivision::{
     Connectivity, Corners, DooSabinWeights, catmull_clark, doo_sabin, loop_subdivision,
 };
+use facette_figure::Figure;
 use facette_figure::plot::Plot;
 use facette_figure::svg::{Panel, panels};
-use facette_figure::{Content, Figure};
+
+use super::solids::{cube, octahedron};
 
 type Point = [f64; 3];
 
 fn plotted(name: &'static str, caption: &str, alternative: &str, plot: &Plot) -> Figure {
-    let svg = plot.to_svg(alternative).expect("the plot has points");
-    Figure {
-        name,
-        caption: caption.to_owned(),
-        alternative: alternative.to_owned(),
-        content: Content::Svg(svg),
-    }
+    Figure::plotted(name, caption, alternative, plot).expect("the plot has points")
 }
 
 /// A scheme's name, and its eigenvalues as a function of the valence.
@@ -248,35 +244,7 @@ pub fn curvature_by_level() -> Figure {
 
 /// The cube, or the octahedron.
 fn solid(is_quad: bool) -> Mesh<Point> {
-    if is_quad {
-        let corner = |k: u32| [k & 1, k >> 1 & 1, k >> 2].map(|bit| 2.0 * f64::from(bit) - 1.0);
-        let faces = [
-            [0, 2, 3, 1],
-            [4, 5, 7, 6],
-            [0, 1, 5, 4],
-            [2, 6, 7, 3],
-            [0, 4, 6, 2],
-            [1, 3, 7, 5],
-        ];
-        Mesh::new((0..8).map(corner).collect(), faces).expect("a cube")
-    } else {
-        let points = (0..6).map(|k: usize| {
-            let mut point = [0.0; 3];
-            point[k / 2] = if k.is_multiple_of(2) { 1.0 } else { -1.0 };
-            point
-        });
-        let faces = [
-            [0, 2, 4],
-            [2, 1, 4],
-            [1, 3, 4],
-            [3, 0, 4],
-            [2, 0, 5],
-            [1, 2, 5],
-            [3, 1, 5],
-            [0, 3, 5],
-        ];
-        Mesh::new(points.collect(), faces).expect("an octahedron")
-    }
+    if is_quad { cube() } else { octahedron() }
 }
 
 fn bound_of(mesh: &Mesh<Point>, is_quad: bool) -> DistanceBound<f64> {

@@ -11,6 +11,7 @@ use facette_figure::plot::Plot;
 use facette_figure::svg::{Anchor, Drawing, Panel, Stroke, panels};
 
 use super::meshes::{OLD, Place, draw_edges, joined, mesh, towards};
+use super::solids::octahedron;
 
 const PANEL: [f64; 2] = [340.0, 270.0];
 const TEXT: f64 = 17.0;
@@ -266,7 +267,7 @@ pub fn refused_meshes() -> Figure {
 
 /// How many triangles the two schemes make, by steps and by the length of an edge.
 pub fn triangle_counts() -> Figure {
-    let octahedron = octahedron();
+    let octahedron = Connectivity::new(&octahedron::<f64>()).expect("a closed mesh");
     let [by_loop, by_sqrt3] = [true, false].map(|is_loop| {
         let mut counts = Counts::of(&octahedron);
         let mut rows = vec![[0.0, counts.faces as f64]];
@@ -292,19 +293,4 @@ pub fn triangle_counts() -> Figure {
         "Two rising straight lines on a logarithmic scale of triangles. Loop's scheme reaches half a million in eight steps, √3 in ten.",
         &drawing,
     )
-}
-
-fn octahedron() -> Connectivity {
-    let faces = [
-        [0, 2, 4],
-        [2, 1, 4],
-        [1, 3, 4],
-        [3, 0, 4],
-        [2, 0, 5],
-        [1, 2, 5],
-        [3, 1, 5],
-        [0, 3, 5],
-    ];
-    let mesh = Mesh::new(vec![0.0; 6], faces).expect("six vertices");
-    Connectivity::new(&mesh).expect("a closed mesh")
 }
